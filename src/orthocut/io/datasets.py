@@ -1,0 +1,39 @@
+"""Datasets: variables with units, names and symbols; the whole case and its provenance as attributes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from orthocut.io.provenance import provenance
+from orthocut.params.block import Block
+from orthocut.variables import attributes
+
+Data = Mapping[str, tuple[tuple[str, ...], Any]]
+
+
+def build(case: Block, title: str, data: Data, coords: Data | None = None) -> xr.Dataset:
+    """Dataset of one run.
+
+    Parameters
+    ----------
+    case : Block
+        The case that was run; stored whole.
+    title : str
+        One line for people.
+    data, coords : mapping of str to (dims, values)
+        Values in SI; every name must stand in the table of variables.
+
+    Returns
+    -------
+    xarray.Dataset
+    """
+    dataset = xr.Dataset(
+        {name: (dims, np.asarray(values), attributes(name)) for name, (dims, values) in data.items()},
+        coords={name: (dims, np.asarray(values), attributes(name)) for name, (dims, values) in (coords or {}).items()},
+    )
+    dataset.attrs = {"title": title, **provenance(case)}
+    return dataset

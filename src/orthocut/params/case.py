@@ -1,0 +1,137 @@
+"""A case: everything that determines one simulation, read from a file or from options."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import yaml
+from pydantic import ValidationError
+
+from orthocut.params.block import Block, ConfigError, describe
+from orthocut.params.dem import DemCompression, DemCutting, DemTension
+from orthocut.params.mpm import MpmCutting
+
+KINDS: dict[str, type[Block]] = {
+    model.model_fields["kind"].default: model for model in (MpmCutting, DemCutting, DemTension, DemCompression)
+}
+ALIASES = {"mpm": "mpm_cutting", "dem": "dem_cutting"}
+Case = MpmCutting | DemCutting | DemTension | DemCompression
+
+
+def fields(model: type[Block], prefix: str = "") -> Iterator[str]:
+    """Dotted names of all fields of a model that hold values, depth first."""
+    for name, info in model.model_fields.items():
+        nested = _block_of(info.annotation)
+        yield prefix + name
+        if nested is not None:
+            yield from fields(nested, f"{prefix}{name}.")
+
+
+def _block_of(annotation: Any) -> type[Block] | None:
+    options = getattr(annotation, "__args__", (annotation,))
+    return next((option for option in options if isinstance(option, type) and issubclass(option, Block)), None)
+
+
+def resolve(kind: str, name: str, source: str) -> tuple[str, ...]:
+    """Path of a field; a short name such as ``rake_angle`` stands for the one field that ends so.
+
+    Raises
+    ------
+    ConfigError
+        If no field or several fields match.
+    """
+    names = list(fields(KINDS[kind]))
+    if name in names:
+        return tuple(name.split("."))
+    matches = [candidate for candidate in names if candidate.endswith(f".{name}")]
+    if len(matches) == 1:
+        return tuple(matches[0].split("."))
+    if matches:
+        raise ConfigError(f"{source}: {name}: several fields have this name ({', '.join(matches)})")
+
+    close = difflib.get_close_matches(name, names + [n.rsplit(".", 1)[-1] for n in names], n=3)
+    hint = f"did you mean {' or '.join(dict.fromkeys(close))}?" if close else f"the fields are {', '.join(names)}"
+    raise ConfigError(f"{source}: {name}: {kind} has no such field; {hint}")
+
+
+def override(data: Mapping[str, Any], values: Mapping[str, Any], source: str) -> dict[str, Any]:
+    """Copy of raw case data with some fields replaced; names may be dotted or short."""
+    result = {**data}
+    kind = _kind(result, source)
+    for name, value in values.items():
+        *parents, leaf = resolve(kind, name, source)
+        target = result
+        for parent in parents:
+            target[parent] = {**(target.get(parent) or {})}
+            target = target[parent]
+        target[leaf] = value
+    return result
+
+
+def _kind(data: Mapping[str, Any], source: str) -> str:
+    kind = data.get("kind")
+    kind = ALIASES.get(kind, kind) if isinstance(kind, str) else kind
+    if kind not in KINDS:
+        raise ConfigError(f"{source}: kind = {kind!r}: must be one of {', '.join(KINDS)}")
+    return kind
+
+
+def validate(data: Mapping[str, Any], source: str = "case") -> Case:
+    """Check raw data and return the case.
+
+    Raises
+    ------
+    ConfigError
+        One line a fault: source, field, value, allowed range.
+    """
+    kind = _kind(data, source)
+    if not all(isinstance(name, str) for name in data):
+        raise ConfigError(f"{source}: field names must be words")
+    try:
+        return KINDS[kind].model_validate(_merge(KINDS[kind]().model_dump(mode="json"), {**data, "kind": kind}))
+    except ValidationError as error:
+        raise describe(error, source) from None
+
+
+def _merge(defaults: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, Any]:
+    """Defaults of a kind overlaid with what the user gave, block by block."""
+    merged = {**defaults}
+    for name, value in data.items():
+        both = isinstance(value, Mapping) and isinstance(merged.get(name), Mapping)
+        merged[name] = _merge(merged[name], value) if both else value
+    return merged
+
+
+def load(origin: str | Path, values: Mapping[str, Any] | None = None) -> Case:
+    """Read a case from a YAML file, or take the defaults of a kind, then override some fields.
+
+    Parameters
+    ----------
+    origin : str or Path
+        A file, or a kind such as ``mpm`` or ``dem_tension``.
+    values : mapping, optional
+        Field names to values as a user writes them.
+    """
+    name = str(origin)
+    if name in KINDS or name in ALIASES:
+        data: Any = {"kind": ALIASES.get(name, name)}
+    else:
+        data = read_yaml(Path(origin))
+    if not isinstance(data, dict):
+        raise ConfigError(f"{name}: must hold the fields of a case")
+    if values:
+        data = override(data, values, f"{name} --set")
+    return validate(data, name)
+
+
+def read_yaml(path: Path) -> Any:
+    """Content of a YAML file; `ConfigError` names the file and the line when it cannot be read."""
+    try:
+        return yaml.safe_load(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ConfigError(f"{path}: cannot be read: {error.strerror}") from None
+    except (yaml.YAMLError, UnicodeDecodeError) as error:
+        raise ConfigError(f"{path}: is not valid YAML: {error}") from None

@@ -1,0 +1,123 @@
+"""Cases of brittle glass made of bonded discs (Yang et al. 2018)."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from orthocut.params.block import Block, fault
+from orthocut.params.quantity import Number, Quantity
+from orthocut.params.tool import Tool
+
+Size = Annotated[float, Quantity("m", "10 um", "100 mm", "mm")]
+Modulus = Annotated[float, Quantity("Pa", "1 MPa", "10 TPa", "GPa")]
+Stress = Annotated[float, Quantity("Pa", "1 kPa", "1 TPa", "MPa")]
+
+
+class Packing(Block):
+    """Random dense packing in a rectangular vessel, by radius scaling to a target pressure."""
+
+    width: Size = 1e-3
+    """Width of the vessel."""
+    height: Size = 2e-3
+    """Height of the vessel."""
+    radius_min: Annotated[float, Quantity("m", "0.1 um", "10 mm", "um")] = 7.5e-6
+    """Smallest radius before scaling; radii are uniform between the smallest and the largest."""
+    radius_ratio: Annotated[float, Number(1.0, 4.0)] = 1.3333333333333333
+    """Largest over smallest radius."""
+    pressure_ratio: Annotated[float, Number(1e-4, 0.1)] = 0.03
+    """Confining pressure over contact modulus at which the joints are installed."""
+    seed: Annotated[int, Number(0, 2**31 - 1, integer=True)] = 1
+    """Seed of the random positions and radii; one packing a replicate."""
+
+
+class FlatJoint(Block):
+    """Flat joints between discs and linear contacts between discs that meet later; defaults are Table 1 as printed."""
+
+    modulus: Modulus = 107e9
+    """Contact and joint modulus."""
+    stiffness_ratio: Annotated[float, Number(1.0, 10.0)] = 3.1
+    """Normal over shear stiffness."""
+    strength_tensile: Stress = 200e6
+    """Tensile strength of an element."""
+    cohesion: Stress = 113e6
+    """Shear strength of an element at zero normal stress."""
+    friction_angle: Annotated[float, Quantity("rad", "0 deg", "60 deg", "deg")] = 0.436332312998582
+    """Friction angle of bonded elements."""
+    friction: Annotated[float, Number(0.0, 1.5)] = 0.577
+    """Residual Coulomb coefficient of broken elements and of new contacts."""
+    elements: Annotated[int, Number(1, 4, integer=True)] = 2
+    """Elements of a joint (N_r)."""
+    density: Annotated[float, Quantity("kg/m^3", "10 kg/m^3", "30000 kg/m^3")] = 2400.0
+    """Density of the discs."""
+    damping: Annotated[float, Number(0.0, 0.95)] = 0.7
+    """Local damping coefficient."""
+    time_step_factor: Annotated[float, Number(0.01, 1.0)] = 0.7
+    """Time step over sqrt(smallest disc mass/(modulus x thickness)); 0.7 was stable, 0.8 was not."""
+
+
+class _Dem(Block):
+    packing: Packing = Field(default_factory=Packing)
+    joint: FlatJoint = Field(default_factory=FlatJoint)
+
+
+class _Test(_Dem):
+    grip_speed: Annotated[float, Quantity("m/s", "0.02 mm/min", "1 m/s", "mm/s")] = 0.01
+    """Speed of each grip or platen."""
+    drop_fraction: Annotated[float, Number(0.05, 0.99)] = 0.7
+    """The test ends when the stress has dropped to this fraction of its peak."""
+    strain_max: Annotated[float, Number(1e-5, 0.2)] = 0.02
+    """The test ends at this axial strain at the latest."""
+
+
+class DemTension(_Test):
+    """Uniaxial tension by rows of discs at both ends."""
+
+    kind: Literal["dem_tension"] = "dem_tension"
+    grip_ratio: Annotated[float, Number(0.01, 0.3)] = 0.05
+    """Height of a grip over height of the specimen."""
+
+
+class DemCompression(_Test):
+    """Unconfined compression between rigid platens."""
+
+    kind: Literal["dem_compression"] = "dem_compression"
+    friction_platen: Annotated[float, Number(0.0, 1.5)] = 0.0
+    """Coulomb coefficient of the platens."""
+
+
+class Grooves(Block):
+    """Rectangular grooves in the surface, as deep as the cut; made by deleting discs."""
+
+    width: Size = 0.06e-3
+    """Width of a groove."""
+    distance: Size = 0.2e-3
+    """Clear distance between grooves."""
+
+
+class DemCutting(_Dem):
+    """Orthogonal cut of a block whose far side and bottom are fixed."""
+
+    kind: Literal["dem_cutting"] = "dem_cutting"
+    packing: Packing = Packing.model_construct(
+        width=1e-3, height=1e-3, radius_min=10e-6, radius_ratio=1.3333333333333333, pressure_ratio=0.03, seed=1
+    )
+    tool: Tool = Tool.model_construct(rake_angle=-0.261799387799149, clearance_angle=0.261799387799149, friction=0.577)
+    cut_depth: Annotated[float, Quantity("m", "1 um", "10 mm", "mm")] = 0.1e-3
+    """Depth of cut."""
+    cut_speed: Annotated[float, Quantity("m/s", "0.1 mm/s", "20 m/s", "m/s")] = 1.0
+    """Speed of the tool."""
+    travel: Annotated[float, Quantity("m", "1 um", "100 mm", "mm")] = 0.8e-3
+    """Travel of the tool."""
+    grooves: Grooves | None = None
+    """Grooves, or none."""
+
+    @model_validator(mode="after")
+    def _fits(self) -> DemCutting:
+        if self.cut_depth > 0.5 * self.packing.height:
+            raise fault(
+                f"cut_depth = {self.cut_depth * 1e3:.4g} mm is more than half of the block "
+                f"(allowed: up to {0.5e3 * self.packing.height:.4g} mm)"
+            )
+        return self

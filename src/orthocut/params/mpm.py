@@ -1,0 +1,71 @@
+"""Case of a ductile cut with material points (Nairn 2015)."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from orthocut.params.block import Block, fault
+from orthocut.params.cohesive import CohesiveZone
+from orthocut.params.material import ElasticPlastic
+from orthocut.params.quantity import Number, Quantity
+from orthocut.params.tool import Tool
+
+
+class Workpiece(Block):
+    """Strip of material in multiples of the depth of cut; its bottom is clamped."""
+
+    length_ratio: Annotated[float, Number(6.0, 200.0)] = 16.0
+    """Length of the workpiece over depth of cut (w)."""
+    base_ratio: Annotated[float, Number(0.5, 20.0)] = 3.0
+    """Depth of material below the cut over depth of cut (d)."""
+    notch_ratio: Annotated[float, Number(0.5, 20.0)] = 2.0
+    """Length of the traction-free notch over depth of cut."""
+
+
+class MpmNumerics(Block):
+    """Discretisation in space and time."""
+
+    points_per_depth: Annotated[int, Number(2, 60, integer=True)] = 10
+    """Material points through the depth of cut; two a cell and direction."""
+    courant: Annotated[float, Number(0.01, 1.0)] = 0.5
+    """Time step over the time a pressure wave needs for a cell."""
+    ramp_fraction: Annotated[float, Number(0.01, 0.9)] = 0.3
+    """Fraction of the duration in which the tool speeds up linearly, with feedback damping."""
+    ramp_feedback: Annotated[float, Quantity("m^-2", "0 mm^-2", "1000 mm^-2", "mm^-2")] = 10e6
+    """Gain of the feedback damping on the kinetic energy of the grid during the ramp."""
+
+
+class MpmCutting(Block):
+    """Orthogonal cut of a ductile workpiece along a cohesive path."""
+
+    kind: Literal["mpm_cutting"] = "mpm_cutting"
+    cut_depth: Annotated[float, Quantity("m", "0.02 mm", "20 mm", "mm")] = 0.9e-3
+    """Depth of cut h."""
+    cut_speed: Annotated[float, Quantity("m/s", "0.05 m/s", "100 m/s")] = 5.0
+    """Speed of the tool after the ramp."""
+    travel_ratio: Annotated[float, Number(1.0, 180.0)] = 11.0
+    """Travel of the tool over depth of cut."""
+    window_ratio: Annotated[float, Number(0.0, 180.0)] = 6.0
+    """Travel over depth of cut from which steady-state averages are taken."""
+    tool: Tool = Field(default_factory=Tool)
+    material: ElasticPlastic = Field(default_factory=ElasticPlastic)
+    interface: CohesiveZone = Field(default_factory=CohesiveZone)
+    workpiece: Workpiece = Field(default_factory=Workpiece)
+    numerics: MpmNumerics = Field(default_factory=MpmNumerics)
+
+    @model_validator(mode="after")
+    def _consistent(self) -> MpmCutting:
+        limit = self.workpiece.length_ratio - 3.0
+        if self.travel_ratio > limit:
+            raise fault(
+                f"travel_ratio = {self.travel_ratio:g} ends less than 3 depths of cut before the far edge "
+                f"(allowed: up to {limit:g})"
+            )
+        if self.window_ratio >= self.travel_ratio:
+            raise fault(
+                f"window_ratio = {self.window_ratio:g} leaves no travel for averages "
+                f"(allowed: less than travel_ratio = {self.travel_ratio:g})"
+            )
+        return self

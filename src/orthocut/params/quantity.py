@@ -1,0 +1,153 @@
+"""Physical quantities in cases: written with a unit, held as a float in SI, always inside a stated range.
+
+A quantity is never a bare number: ``0.9 mm`` is accepted, ``0.0009`` is not, because its unit would be a guess.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tokenize
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic_core import PydanticCustomError, core_schema
+
+
+@cache
+def _registry():
+    import pint
+
+    return pint.UnitRegistry(cache_folder=":auto:")
+
+
+_FORM = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*(?P<unit>[a-zA-Zµμ°%][^=_]*)?\s*")
+
+
+def convert(text: str, unit: str) -> float:
+    """Value of a text such as ``"25 MPa"`` in `unit`, to 15 significant digits.
+
+    Parameters
+    ----------
+    text : str
+        A number and a unit.
+    unit : str
+        Unit of the result, in pint's notation.
+
+    Raises
+    ------
+    ValueError
+        If the text is not a number with a unit of the same dimension.
+    """
+    import pint
+
+    form = _FORM.fullmatch(text)
+    if form is None:
+        raise ValueError(f"is not a number with a unit, such as '1 {unit}'")
+    if form["unit"] is None:
+        raise ValueError(f"has no unit, write for example '{text.strip()} {unit}'")
+    try:
+        return float(f"{_registry().Quantity(text).to(unit).magnitude:.15g}")
+    except pint.DimensionalityError as error:
+        raise ValueError(f"is not a quantity in {unit}") from error
+    except (
+        pint.PintError,
+        AttributeError,
+        AssertionError,
+        ArithmeticError,
+        TypeError,
+        ValueError,
+        tokenize.TokenError,
+    ) as error:
+        raise ValueError(f"is not a number with a unit, such as '1 {unit}'") from error
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Annotation of a physical quantity: ``Annotated[float, Quantity("m", low="1 um", high="1 m", display="mm")]``.
+
+    Attributes
+    ----------
+    unit : str
+        SI unit in which the value is held.
+    low, high : str
+        Allowed range, ends included, with units.
+    display : str
+        Unit in which people read the value; default `unit`.
+    """
+
+    unit: str
+    low: str
+    high: str
+    display: str = ""
+
+    def validate(self, value: Any) -> float:
+        """Value in SI; raise `PydanticCustomError` naming the value and the allowed range."""
+        allowed = f"allowed: {self.low} to {self.high}"
+        if not isinstance(value, str):
+            example = self.high if self.low.startswith("0 ") else self.low
+            raise PydanticCustomError(
+                "quantity_unit", "{why} ({allowed})", {"why": f"needs a unit, such as '{example}'", "allowed": allowed}
+            )
+        try:
+            number = convert(value, self.unit)
+        except ValueError as error:
+            raise PydanticCustomError(
+                "quantity", "{why} ({allowed})", {"why": str(error), "allowed": allowed}
+            ) from None
+        low, high = convert(self.low, self.unit), convert(self.high, self.unit)
+        slack = 1e-12 * max(abs(low), abs(high))
+        if not math.isfinite(number) or not low - slack <= number <= high + slack:
+            raise PydanticCustomError("quantity_range", "is out of range ({allowed})", {"allowed": allowed})
+        return number
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(
+            self.validate,
+            serialization=core_schema.plain_serializer_function_ser_schema(
+                lambda value: f"{value!r} {self.unit}", return_schema=core_schema.str_schema()
+            ),
+        )
+
+    def __get_pydantic_json_schema__(self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler) -> dict:
+        return {"type": "string", "description": f"{self.low} to {self.high}", "examples": [self.low, self.high]}
+
+
+def Length(low: str, high: str, display: str = "mm") -> Quantity:
+    """Length held in metres."""
+    return Quantity("m", low, high, display)
+
+
+@dataclass(frozen=True)
+class Number:
+    """Annotation of a plain number without a unit: ``Annotated[float, Number(0.0, 1.5)]``.
+
+    Attributes
+    ----------
+    low, high : float
+        Allowed range, ends included.
+    integer : bool
+        Whether only whole numbers are allowed.
+    """
+
+    low: float
+    high: float
+    integer: bool = False
+
+    def validate(self, value: Any) -> float | int:
+        """Return the value as `float` or `int`; raise `PydanticCustomError` naming the allowed range."""
+        allowed = f"allowed: {self.low:g} to {self.high:g}"
+        kind, name = ((int,), "a whole number") if self.integer else ((int, float), "a number without unit")
+        if not isinstance(value, kind) or isinstance(value, bool):
+            raise PydanticCustomError("number", "must be {name} ({allowed})", {"name": name, "allowed": allowed})
+        if not self.low <= value <= self.high:
+            raise PydanticCustomError("number_range", "is out of range ({allowed})", {"allowed": allowed})
+        return value if self.integer else float(value)
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.validate)
+
+    def __get_pydantic_json_schema__(self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler) -> dict:
+        return {"type": "integer" if self.integer else "number", "minimum": self.low, "maximum": self.high}

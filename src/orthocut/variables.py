@@ -1,0 +1,133 @@
+"""The table of variables: name, symbol, unit and meaning of everything that datasets, axes and tables show.
+
+Axes: x along the cut, against the motion of the tool; y up, out of the workpiece. All quantities are SI for unit width
+out of the plane: forces in N/m, energies in J/m. Tension is positive. Forces on the tool are positive where the tool
+pushes the workpiece along its motion (cutting) and down into it (thrust).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Variable(NamedTuple):
+    """One row of the table."""
+
+    symbol: str
+    """Symbol in mathtext, without the dollar signs."""
+    unit: str
+    """SI unit of the stored values."""
+    long_name: str
+    """Meaning in words."""
+    display: str = ""
+    """Unit in figures and tables; empty where the SI unit serves."""
+    scale: float = 1.0
+    """Number of display units in one SI unit."""
+
+
+_MM = ("mm", 1e3)
+_MPA = ("MPa", 1e-6)
+_N_MM = ("N/mm", 1e-3)
+_MS = ("ms", 1e3)
+_DEG = ("deg", 57.29577951308232)
+
+VARIABLES: dict[str, Variable] = {
+    # parameters that sweeps vary
+    "cut_depth": Variable("h", "m", "depth of cut", *_MM),
+    "cut_speed": Variable("v", "m/s", "speed of the tool"),
+    "rake_angle": Variable(r"\alpha", "rad", "rake angle", *_DEG),
+    "friction": Variable(r"\mu", "1", "friction coefficient"),
+    "modulus_tangent": Variable("E_T", "Pa", "tangent modulus", *_MPA),
+    "strength": Variable(r"\sigma_c", "Pa", "cohesive stress", *_MPA),
+    "points_per_depth": Variable("n", "1", "material points through the depth of cut"),
+    "seed": Variable("s", "1", "seed of the packing"),
+    "grooved": Variable("", "1", "grooves in the surface (1) or not (0)"),
+    # histories
+    "time": Variable("t", "s", "time", *_MS),
+    "tool_travel": Variable("s", "m", "travel of the tool", *_MM),
+    "force_cutting": Variable("F_c", "N/m", "cutting force on the tool", *_N_MM),
+    "force_thrust": Variable("F_t", "N/m", "thrust force on the tool", *_N_MM),
+    "force_cutting_chip": Variable("F_c^{chip}", "N/m", "cutting force from the chip", *_N_MM),
+    "force_thrust_chip": Variable("F_t^{chip}", "N/m", "thrust force from the chip", *_N_MM),
+    "force_cutting_base": Variable("F_s^b", "N/m", "cutting force from rubbing on the base", *_N_MM),
+    "force_thrust_base": Variable("F_n^b", "N/m", "thrust force from rubbing on the base", *_N_MM),
+    "reaction_cutting": Variable("R_c", "N/m", "reaction of the clamp along the cut", *_N_MM),
+    "reaction_thrust": Variable("R_t", "N/m", "reaction of the clamp across the cut", *_N_MM),
+    "tool_tip": Variable("x_{tool}", "m", "position of the tool tip", *_MM),
+    "crack_tip": Variable("x_{crack}", "m", "position of the crack tip", *_MM),
+    "crack_gap": Variable("g", "m", "distance from the tool tip ahead to the crack tip", *_MM),
+    "work_tool": Variable("W", "J/m", "work of the tool"),
+    "energy_kinetic": Variable("E_{kin}", "J/m", "kinetic energy"),
+    "energy_elastic": Variable("E_{el}", "J/m", "elastic energy"),
+    "energy_plastic": Variable("E_{pl}", "J/m", "plastic work"),
+    "energy_cohesive": Variable("E_{coh}", "J/m", "work on the cohesive zone"),
+    "energy_fracture": Variable("E_{frac}", "J/m", "energy released by broken joints"),
+    "energy_friction": Variable("E_{fric}", "J/m", "work of friction"),
+    "energy_contact": Variable("E_{con}", "J/m", "energy lost in contact impacts"),
+    "energy_numerical": Variable("E_{num}", "J/m", "energy lost in transfers between points and grid"),
+    "energy_damping": Variable("E_{damp}", "J/m", "energy removed by damping"),
+    "energy_residual": Variable("E_{res}", "J/m", "work of the tool not accounted for"),
+    "strain_axial": Variable(r"\varepsilon", "1", "axial strain", "%", 100.0),
+    "strain_lateral": Variable(r"\varepsilon_{lat}", "1", "lateral strain", "%", 100.0),
+    "stress_axial": Variable(r"\sigma", "Pa", "axial stress in the measurement region", *_MPA),
+    "stress_grip": Variable(r"\sigma_{grip}", "Pa", "axial stress from the grip reaction", *_MPA),
+    "cracks_tension": Variable("N_t", "1", "number of elements broken in tension"),
+    "cracks_shear": Variable("N_s", "1", "number of elements broken in shear"),
+    # results of a run
+    "force_cutting_mean": Variable("F_c", "N/m", "mean cutting force", *_N_MM),
+    "force_thrust_mean": Variable("F_t", "N/m", "mean thrust force", *_N_MM),
+    "force_rubbing_mean": Variable("F_n^b", "N/m", "mean rubbing force", *_N_MM),
+    "force_cutting_error": Variable(r"\Delta F_c", "N/m", "standard error of the mean cutting force", *_N_MM),
+    "force_thrust_error": Variable(r"\Delta F_t", "N/m", "standard error of the mean thrust force", *_N_MM),
+    "force_cutting_peak": Variable(r"F_{c,max}", "N/m", "peak cutting force", *_N_MM),
+    "force_thrust_peak": Variable(r"F_{t,max}", "N/m", "peak thrust force", *_N_MM),
+    "force_cutting_drift": Variable("", "1", "drift of the cutting force over the window, over its mean"),
+    "crack_gap_mean": Variable("g", "m", "mean distance from tool tip to crack tip", *_MM),
+    "touching": Variable("", "1", "whether the tool touches the crack tip (1) or the chip bends ahead of it (0)"),
+    "mode_one_fraction": Variable(r"J_I/J_c", "1", "fraction of mode I in the energy of failure", "%", 100.0),
+    "energy_closure": Variable("", "1", "energy not accounted for, over the work of the tool", "%", 100.0),
+    "modulus_young": Variable("E", "Pa", "Young's modulus", "GPa", 1e-9),
+    "ratio_poisson": Variable(r"\nu", "1", "Poisson's ratio"),
+    "strength_ultimate": Variable(r"\sigma_u", "Pa", "largest axial stress", *_MPA),
+    "damage_depth": Variable("d", "m", "depth of the deepest crack below the cut", *_MM),
+    # material points and discs in snapshots
+    "time_snapshot": Variable("t", "s", "time of the snapshot", *_MS),
+    "point_x": Variable("x", "m", "position along the cut", *_MM),
+    "point_y": Variable("y", "m", "position across the cut", *_MM),
+    "point_deformation": Variable("F", "1", "deformation gradient (xx, xy, yx, yy)"),
+    "point_stress": Variable(r"\sigma_{eq}", "Pa", "equivalent stress", *_MPA),
+    "point_strain_plastic": Variable(r"\epsilon", "1", "cumulative plastic strain"),
+    "point_half_width": Variable("l", "m", "half-width of an undeformed material point", *_MM),
+    "tool_tip_snapshot": Variable("x_{tool}", "m", "position of the tool tip", *_MM),
+    "disc_x": Variable("x", "m", "position along the cut", *_MM),
+    "disc_y": Variable("y", "m", "position across the cut", *_MM),
+    "disc_radius": Variable("R", "m", "radius", "um", 1e6),
+    "bond_first": Variable("i", "1", "index of the first disc of a joint"),
+    "bond_second": Variable("j", "1", "index of the second disc of a joint"),
+    "bond_intact": Variable("", "1", "fraction of the elements of a joint that are bonded"),
+    "crack_x": Variable("x", "m", "place of the crack along the cut", *_MM),
+    "crack_y": Variable("y", "m", "place of the crack across the cut", *_MM),
+    "crack_normal": Variable(r"\theta", "rad", "direction of the crack normal to the x axis", *_DEG),
+    "crack_time": Variable("t", "s", "time of the crack", *_MS),
+    "crack_mode": Variable("", "1", "mode of the crack: 0 tension, 1 shear"),
+}
+
+
+def attributes(name: str) -> dict[str, str]:
+    """netCDF attributes of a variable: units, long_name, symbol.
+
+    Raises
+    ------
+    KeyError
+        If the table does not hold the name.
+    """
+    row = VARIABLES[name]
+    return {"units": row.unit, "long_name": row.long_name, "symbol": row.symbol}
+
+
+def label(name: str) -> str:
+    """Axis label: meaning, symbol and display unit."""
+    row = VARIABLES[name]
+    symbol = f" ${row.symbol}$" if row.symbol else ""
+    unit = row.display or row.unit
+    return f"{row.long_name}{symbol}" + (f" [{unit}]" if unit != "1" else "")
