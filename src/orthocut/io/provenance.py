@@ -40,7 +40,7 @@ def provenance(case: Block) -> dict[str, str]:
         "kind": case.kind,
         "case_id": case_id(case),
         "case": canonical(case),
-        "source_digest": digest_numbers(),
+        "source_digest": digest_numbers(case.kind),
         "git_commit": _git_commit(),
         "versions": ", ".join(f"{name} {version(name)}" for name in packages),
         "references": _REFERENCES[case.kind.split("_")[0]],

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Iterable
+
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import PydanticCustomError
 
@@ -23,7 +26,17 @@ class ConfigError(ValueError):
     """Bad input of a user; the message names source, field, value and what is allowed."""
 
 
-def describe(error: ValidationError, source: str) -> ConfigError:
+def hint(name: str, known: Iterable[str]) -> str:
+    """Names that resemble a mistyped one, or all of them."""
+    known = list(known)
+    short = {entry.rsplit(".", 1)[-1]: entry for entry in known}
+    close = difflib.get_close_matches(name, [*known, *short], n=3)
+    if close:
+        return f"did you mean {' or '.join(dict.fromkeys(short.get(match, match) for match in close))}?"
+    return f"allowed: {', '.join(known)}"
+
+
+def describe(error: ValidationError, source: str, known: Iterable[str] = ()) -> ConfigError:
     """Turn pydantic's report into one line a fault: source, field, value, what is wrong, what is allowed.
 
     Parameters
@@ -32,11 +45,18 @@ def describe(error: ValidationError, source: str) -> ConfigError:
         As raised by a block.
     source : str
         The file or option the values came from.
+    known : iterable of str
+        Dotted names of the fields there are; the nearest ones are suggested for an unknown field.
     """
+    known = list(known)
     lines = []
     for report in error.errors(include_url=False):
-        field = ".".join(str(part) for part in report["loc"]) or "case"
+        field = ".".join(str(part) for part in report["loc"])
         value = report["input"]
-        shown = "" if isinstance(value, dict) or report["type"] == "missing" else f" = {value!r}"
-        lines.append(f"{source}: {field}{shown}: {report['msg']}")
+        message = report["msg"]
+        if report["type"] == "extra_forbidden":
+            message = "no such field" + (f"; {hint(field, known)}" if known else "")
+        bare = isinstance(value, (dict, Block)) or report["type"] == "missing"
+        shown = field + ("" if bare else f" = {value!r}")
+        lines.append(": ".join(part for part in (source, shown, message) if part))
     return ConfigError("\n".join(lines))

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-import yaml
 from pydantic import ValidationError
 
-from orthocut.params.block import Block, ConfigError, describe
+from orthocut.params.block import Block, ConfigError, describe, hint
 from orthocut.params.dem import DemCompression, DemCutting, DemTension
 from orthocut.params.mpm import MpmCutting
+from orthocut.params.text import read_yaml
 
 KINDS: dict[str, type[Block]] = {
     model.model_fields["kind"].default: model for model in (MpmCutting, DemCutting, DemTension, DemCompression)
@@ -24,13 +23,14 @@ Case = MpmCutting | DemCutting | DemTension | DemCompression
 def fields(model: type[Block], prefix: str = "") -> Iterator[str]:
     """Dotted names of all fields of a model that hold values, depth first."""
     for name, info in model.model_fields.items():
-        nested = _block_of(info.annotation)
+        nested = block_of(info.annotation)
         yield prefix + name
         if nested is not None:
             yield from fields(nested, f"{prefix}{name}.")
 
 
-def _block_of(annotation: Any) -> type[Block] | None:
+def block_of(annotation: Any) -> type[Block] | None:
+    """Block that a field holds, if it holds one."""
     options = getattr(annotation, "__args__", (annotation,))
     return next((option for option in options if isinstance(option, type) and issubclass(option, Block)), None)
 
@@ -52,29 +52,31 @@ def resolve(kind: str, name: str, source: str) -> tuple[str, ...]:
     if matches:
         raise ConfigError(f"{source}: {name}: several fields have this name ({', '.join(matches)})")
 
-    close = difflib.get_close_matches(name, names + [n.rsplit(".", 1)[-1] for n in names], n=3)
-    hint = f"did you mean {' or '.join(dict.fromkeys(close))}?" if close else f"the fields are {', '.join(names)}"
-    raise ConfigError(f"{source}: {name}: {kind} has no such field; {hint}")
+    raise ConfigError(f"{source}: {name}: {kind} has no such field; {hint(name, names)}")
 
 
 def override(data: Mapping[str, Any], values: Mapping[str, Any], source: str) -> dict[str, Any]:
     """Copy of raw case data with some fields replaced; names may be dotted or short."""
     result = {**data}
-    kind = _kind(result, source)
+    kind = case_kind(result, source)
     for name, value in values.items():
         *parents, leaf = resolve(kind, name, source)
         target = result
-        for parent in parents:
-            target[parent] = {**(target.get(parent) or {})}
+        for depth, parent in enumerate(parents, 1):
+            inner = target.get(parent)
+            if not isinstance(inner, Mapping | None):
+                raise ConfigError(f"{source}: {'.'.join(parents[:depth])} = {inner!r}: must hold fields")
+            target[parent] = {**(inner or {})}
             target = target[parent]
         target[leaf] = value
     return result
 
 
-def _kind(data: Mapping[str, Any], source: str) -> str:
+def case_kind(data: Mapping[str, Any], source: str) -> str:
+    """Kind of raw case data; raise `ConfigError` unless it is one of those there are."""
     kind = data.get("kind")
     kind = ALIASES.get(kind, kind) if isinstance(kind, str) else kind
-    if kind not in KINDS:
+    if not isinstance(kind, str) or kind not in KINDS:
         raise ConfigError(f"{source}: kind = {kind!r}: must be one of {', '.join(KINDS)}")
     return kind
 
@@ -87,13 +89,20 @@ def validate(data: Mapping[str, Any], source: str = "case") -> Case:
     ConfigError
         One line a fault: source, field, value, allowed range.
     """
-    kind = _kind(data, source)
-    if not all(isinstance(name, str) for name in data):
-        raise ConfigError(f"{source}: field names must be words")
+    kind = case_kind(data, source)
+    _check_names(data, source)
     try:
         return KINDS[kind].model_validate(_merge(KINDS[kind]().model_dump(mode="json"), {**data, "kind": kind}))
     except ValidationError as error:
-        raise describe(error, source) from None
+        raise describe(error, source, fields(KINDS[kind])) from None
+
+
+def _check_names(data: Mapping[Any, Any], source: str) -> None:
+    for name, value in data.items():
+        if not isinstance(name, str):
+            raise ConfigError(f"{source}: {name!r}: field names must be words")
+        if isinstance(value, Mapping):
+            _check_names(value, f"{source}: {name}")
 
 
 def _merge(defaults: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, Any]:
@@ -125,13 +134,3 @@ def load(origin: str | Path, values: Mapping[str, Any] | None = None) -> Case:
     if values:
         data = override(data, values, f"{name} --set")
     return validate(data, name)
-
-
-def read_yaml(path: Path) -> Any:
-    """Content of a YAML file; `ConfigError` names the file and the line when it cannot be read."""
-    try:
-        return yaml.safe_load(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ConfigError(f"{path}: cannot be read: {error.strerror}") from None
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
-        raise ConfigError(f"{path}: is not valid YAML: {error}") from None

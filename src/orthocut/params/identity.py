@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Iterator
 from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 
 from orthocut.params.block import Block
 
 _PACKAGE = Path(__file__).resolve().parent.parent
+_METHODS = ("mpm", "dem")
 _NUMBERS = ("kernels", "mpm", "dem", "experiments", "measure", "params")
 _PICTURES = ("figures", "theory", "variables.py")
+_INPUT_ONLY = ("__init__", "block", "case", "identity", "quantity", "schema", "study", "text")
+_LIBRARIES = ("numpy", "numba", "llvmlite", "scipy")
 
 
 def canonical(case: Block) -> str:
@@ -20,27 +25,51 @@ def canonical(case: Block) -> str:
 
 
 def case_id(case: Block) -> str:
-    """Name of a case: kind, a readable part, a hash of every value that can change its numbers."""
+    """Name of a case: kind and a hash of every value that can change its numbers."""
     digest = hashlib.sha256(canonical(case).encode()).hexdigest()[:10]
     return f"{case.kind.replace('_', '-')}-{digest}"
 
 
-def _digest(parts: tuple[str, ...]) -> str:
-    sha = hashlib.sha256()
-    for part in parts:
-        path = _PACKAGE / part
-        for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
-            sha.update(str(file.relative_to(_PACKAGE)).encode() + b"\0" + file.read_bytes() + b"\0")
-    return sha.hexdigest()[:16]
+def sources(kind: str) -> Iterator[Path]:
+    """Files that can change the numbers of a kind of case, sorted.
+
+    Left out are the files of the other method, the benchmarks of speed, and the files that only turn what a user
+    writes into a case: a case in SI units is already part of a result's identity.
+
+    Parameters
+    ----------
+    kind : str
+        Such as ``mpm_cutting``; its first word is the method.
+    """
+    others = set(_METHODS) - {kind.split("_")[0]}
+    for file in _files(_NUMBERS):
+        path = file.relative_to(_PACKAGE)
+        words = {part.removesuffix(".py").split("_")[0] for part in path.parts}
+        if not words & {*others, "speed"} and not (path.parts[0] == "params" and path.stem in _INPUT_ONLY):
+            yield file
 
 
 @cache
-def digest_numbers() -> str:
-    """Digest of the sources that can change a simulation's numbers."""
-    return _digest(_NUMBERS)
+def digest_numbers(kind: str) -> str:
+    """Digest of the sources and the libraries that can change the numbers of a kind of case."""
+    libraries = ", ".join(f"{name} {version(name)}" for name in _LIBRARIES)
+    return _digest(sources(kind), libraries)
 
 
 @cache
 def digest_pictures() -> str:
     """Digest of the sources that only change figures and tables."""
-    return _digest(_PICTURES)
+    return _digest(_files(_PICTURES), version("matplotlib"))
+
+
+def _files(parts: tuple[str, ...]) -> Iterator[Path]:
+    for part in parts:
+        path = _PACKAGE / part
+        yield from sorted(file for file in path.rglob("*") if file.suffix in {".py", ".mplstyle"}) or [path]
+
+
+def _digest(files: Iterator[Path], libraries: str) -> str:
+    sha = hashlib.sha256(libraries.encode() + b"\0")
+    for file in files:
+        sha.update(file.relative_to(_PACKAGE).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    return sha.hexdigest()[:16]

@@ -38,7 +38,8 @@ class ElasticPlastic(Block):
             )
         if not 0.0 <= self.ratio_poisson <= 0.49:
             raise fault(
-                f"modulus_bulk and modulus_shear give a Poisson's ratio of {self.ratio_poisson:.3f} (allowed: 0 to 0.49)"
+                f"modulus_bulk and modulus_shear give a Poisson's ratio of {self.ratio_poisson:.3f} "
+                "(allowed: 0 to 0.49)"
             )
         return self
 

@@ -23,7 +23,8 @@ def _registry():
     return pint.UnitRegistry(cache_folder=":auto:")
 
 
-_FORM = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*(?P<unit>[a-zA-Zµμ°%][^=_]*)?\s*")
+_UNIT = r"[a-zA-Zµμ°%]+((\^|\*\*)-?\d+)?"
+_FORM = re.compile(rf"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*(?P<unit>{_UNIT}((\s*[*/]\s*|\s+){_UNIT})*)?\s*")
 
 
 def convert(text: str, unit: str) -> float:
@@ -103,6 +104,12 @@ class Quantity:
             raise PydanticCustomError("quantity_range", "is out of range ({allowed})", {"allowed": allowed})
         return number
 
+    def show(self, value: float) -> str:
+        """Text for people, such as ``"0.9 mm"``; reading it back gives the same value."""
+        unit = self.display or self.unit
+        shown = f"{convert(f'{value!r} {self.unit}', unit):.12g} {unit}"
+        return shown if convert(shown, self.unit) == value else f"{value!r} {self.unit}"
+
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
         return core_schema.no_info_plain_validator_function(
             self.validate,
@@ -113,11 +120,6 @@ class Quantity:
 
     def __get_pydantic_json_schema__(self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler) -> dict:
         return {"type": "string", "description": f"{self.low} to {self.high}", "examples": [self.low, self.high]}
-
-
-def Length(low: str, high: str, display: str = "mm") -> Quantity:
-    """Length held in metres."""
-    return Quantity("m", low, high, display)
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,11 @@ from typing import Annotated, Any
 
 from pydantic import Field, ValidationError, model_validator
 
-from orthocut.params.block import Block, ConfigError, describe, fault
-from orthocut.params.case import Case, override, read_yaml, validate
+from orthocut.params.block import Block, ConfigError, describe, fault, hint
+from orthocut.params.case import Case, case_kind, override, resolve, validate
 from orthocut.params.identity import case_id
 from orthocut.params.quantity import Number
+from orthocut.params.text import read_yaml
 
 Values = dict[str, list[Any]]
 
@@ -44,6 +45,17 @@ class Axes(Block):
         zipped = [dict(zip(self.zip, values, strict=True)) for values in zip(*self.zip.values(), strict=True)] or [{}]
         return [{**a, **b, **c} for a in products for b in zipped for c in (self.list or [{}])]
 
+    def check_names(self, kind: str, source: str) -> None:
+        """Raise `ConfigError` if an axis is no field of the kind, or if two parts vary the same field."""
+        seen: dict[tuple[str, ...], str] = {}
+        explicit = dict.fromkeys(name for point in self.list for name in point)
+        for part, names in (("product", self.product), ("zip", self.zip), ("list", explicit)):
+            for name in names:
+                path = resolve(kind, name, f"{source}.axes.{part}")
+                if path in seen:
+                    raise ConfigError(f"{source}.axes.{part}: {name} is already varied by {seen[path]}")
+                seen[path] = part
+
 
 class Sweep(Block):
     """A base case, axes and replicates."""
@@ -51,56 +63,77 @@ class Sweep(Block):
     base: dict[str, Any]
     """Fields of the base case; must hold its kind."""
     axes: Axes = Field(default_factory=lambda: Axes(list=[]))
+    """What varies."""
     replicates: Annotated[int, Number(1, 1000, integer=True)] = 1
     """Random replicates of each point; replicate k of a packing with seed s has seed s + k."""
 
-    def expand(self, source: str) -> list[Case]:
-        """Return all cases of the sweep, in order."""
-        cases = []
+    def expand(self, source: str) -> list[tuple[str, Case]]:
+        """Return a label and the case of every member, in order.
+
+        Raises
+        ------
+        ConfigError
+            Names the field, the value and what is allowed.
+        """
+        kind = case_kind(self.base, source)
+        self.axes.check_names(kind, source)
+        members = []
         for point in self.axes.points():
+            label = ", ".join(f"{name} {value}" for name, value in point.items())
             data = override(self.base, point, source)
             case = validate(data, source)
-            cases.append(case)
+            members.append((label, case))
             if self.replicates > 1 and not hasattr(case, "packing"):
                 raise ConfigError(
                     f"{source}: replicates = {self.replicates}: {case.kind} has nothing random (allowed: 1)"
                 )
-            cases += [
-                validate(override(data, {"packing.seed": case.packing.seed + k}, source), source)
-                for k in range(1, self.replicates)
-            ]
-        return cases
+            for k in range(1, self.replicates):
+                seed = case.packing.seed + k
+                twin = validate(override(data, {"packing.seed": seed}, source), source)
+                members.append((", ".join(filter(None, (label, f"seed {seed}"))), twin))
+        return members
 
 
 class Study(Block):
     """Named sweeps and, for each figure or table, the sweeps it draws."""
 
     title: str
+    """One line for people."""
     sweeps: dict[str, Sweep]
+    """Name to sweep."""
     figures: dict[str, list[str]]
+    """Figure to the names of the sweeps that it draws; a figure of theory alone has none."""
 
     @model_validator(mode="after")
     def _known(self) -> Study:
         for figure, names in self.figures.items():
             for name in names:
                 if name not in self.sweeps:
-                    raise fault(f"figures.{figure} names the sweep '{name}' (known: {', '.join(self.sweeps)})")
+                    raise fault(f"figures.{figure} = {name!r}: no such sweep; {hint(name, self.sweeps)}")
         return self
 
     def cases(self, source: str = "study") -> dict[str, dict[str, Case]]:
         """Sweep name to case id to case; the same case in two sweeps has the same id."""
         return {
-            name: {case_id(case): case for case in sweep.expand(f"{source}: sweeps.{name}")}
+            name: {case_id(case): case for _, case in sweep.expand(f"{source}: sweeps.{name}")}
             for name, sweep in self.sweeps.items()
         }
+
+    def labels(self, source: str = "study") -> dict[str, str]:
+        """Case id to words for people: the first sweep that holds the case and the values varied there."""
+        labels: dict[str, str] = {}
+        for name, sweep in self.sweeps.items():
+            for label, case in sweep.expand(f"{source}: sweeps.{name}"):
+                labels.setdefault(case_id(case), f"{name}: {label}" if label else name)
+        return labels
 
 
 def load_study(path: Path) -> Study:
     """Read a study; `ConfigError` names file, field, value and what is allowed."""
     data = read_yaml(path)
-    if not isinstance(data, dict):
+    if not isinstance(data, dict) or not all(isinstance(name, str) for name in data):
         raise ConfigError(f"{path}: must hold title, sweeps and figures")
     try:
         return Study.model_validate(data)
     except ValidationError as error:
-        raise describe(error, str(path)) from None
+        raise describe(error, str(path), Study.model_fields) from None

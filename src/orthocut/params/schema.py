@@ -1,0 +1,130 @@
+"""What the models say about themselves: the JSON schema of studies and the defaults of all kinds of cases.
+
+``python -m orthocut.params.schema workflow/config`` writes both; a test keeps the files and the models in step.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from orthocut.params.block import Block
+from orthocut.params.case import KINDS, block_of
+from orthocut.params.quantity import Number, Quantity
+from orthocut.params.study import Study
+
+_HEADER = """\
+# All fields of all kinds of cases, with their defaults. Generated from src/orthocut/params; do not edit:
+#     python -m orthocut.params.schema workflow/config
+# A study or a case file gives only what differs; quantities carry units, ratios and coefficients are plain numbers.
+"""
+
+
+def study_schema() -> dict[str, Any]:
+    """JSON schema (draft 2020-12) of a study file; the base of a sweep is checked against its kind."""
+    schema = Study.model_json_schema()
+    schema.setdefault("$defs", {})
+    for kind, model in KINDS.items():
+        body = model.model_json_schema(ref_template="#/$defs/{model}")
+        schema["$defs"].update(body.pop("$defs", {}))
+        body["required"] = ["kind"]
+        schema["$defs"][kind] = body
+    _partial(schema["$defs"])
+    _defaults(schema["$defs"])
+    schema["$defs"]["Sweep"]["properties"]["base"] = {"oneOf": [{"$ref": f"#/$defs/{kind}"} for kind in KINDS]}
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+
+
+def _partial(definitions: dict[str, Any]) -> None:
+    """Fields may be left out: they have defaults."""
+    for name, body in definitions.items():
+        if name not in {"Sweep", "Axes", *KINDS}:
+            body.pop("required", None)
+
+
+def _defaults(definitions: dict[str, Any]) -> None:
+    """Write defaults as a user would."""
+    for model in _blocks():
+        name = model.model_fields["kind"].default if "kind" in model.model_fields else model.__name__
+        for field, value in shown(model()).items():
+            body = definitions[name]["properties"][field]
+            body.pop("default", None)
+            if not isinstance(value, dict):
+                body["default"] = value
+
+
+def _blocks() -> Iterator[type[Block]]:
+    seen: set[type[Block]] = set()
+    pending: list[type[Block]] = list(KINDS.values())
+    while pending:
+        model = pending.pop()
+        if model not in seen:
+            seen.add(model)
+            yield model
+            pending += [b for b in map(block_of, (i.annotation for i in model.model_fields.values())) if b]
+
+
+def shown(block: Block) -> dict[str, Any]:
+    """Fields of a block as a user writes them: quantities in display units."""
+    result: dict[str, Any] = {}
+    for name, info in type(block).model_fields.items():
+        value = getattr(block, name)
+        quantity = next((note for note in info.metadata if isinstance(note, Quantity)), None)
+        if isinstance(value, Block):
+            result[name] = shown(value)
+        elif quantity is not None:
+            result[name] = quantity.show(value)
+        else:
+            result[name] = value
+    return result
+
+
+def default_yaml() -> str:
+    """Return the defaults of all kinds, with the meaning and the range of every field as comments."""
+    return _HEADER + "".join(f"\n{line}" for kind in KINDS.values() for line in _lines(kind(), "")) + "\n"
+
+
+def _lines(block: Block, indent: str) -> Iterator[str]:
+    model = type(block)
+    if "kind" in model.model_fields:
+        yield f"{block.kind}:"
+        indent = "  "
+        yield f"{indent}kind: {block.kind}"
+    for name, info in model.model_fields.items():
+        if name == "kind":
+            continue
+        value = getattr(block, name)
+        nested = block_of(info.annotation)
+        meaning = f"  # {info.description}" if info.description else ""
+        limits = next((note for note in info.metadata if isinstance(note, (Quantity, Number))), None)
+        if limits is not None:
+            meaning = f"{meaning.rstrip('.')} ({limits.low} to {limits.high})"
+        if nested is not None and value is not None:
+            yield f"{indent}{name}:{meaning}"
+            yield from _lines(value, indent + "  ")
+        else:
+            yield f"{indent}{name}: {_scalar(shown(block)[name])}{meaning}"
+    if "kind" in model.model_fields:
+        yield ""
+
+
+def _scalar(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value!r}" if "e" not in repr(value) else f"{value:.6e}"
+    return "null" if value is None else str(value)
+
+
+def files() -> dict[str, str]:
+    """File name to content of everything that is generated."""
+    return {
+        "default.yaml": default_yaml(),
+        "study.schema.json": json.dumps(study_schema(), indent=1, sort_keys=True) + "\n",
+    }
+
+
+if __name__ == "__main__":
+    for name, content in files().items():
+        Path(sys.argv[1], name).write_text(content, encoding="utf-8")

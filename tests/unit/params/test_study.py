@@ -1,0 +1,116 @@
+"""Expansion of studies."""
+
+import pytest
+
+from orthocut.params.block import ConfigError
+from orthocut.params.case import load
+from orthocut.params.identity import case_id
+from orthocut.params.study import Study, load_study
+
+
+def study(**sweeps):
+    return Study.model_validate({"title": "test", "sweeps": sweeps, "figures": {}})
+
+
+def members(**sweep):
+    return list(study(a=sweep).cases()["a"].values())
+
+
+def test_product_runs_over_every_combination_last_axis_fastest():
+    cases = members(
+        base={"kind": "mpm"}, axes={"product": {"cut_depth": ["1 mm", "2 mm"], "rake_angle": ["15 deg", "30 deg"]}}
+    )
+    assert [(c.cut_depth, round(c.tool.rake_angle, 3)) for c in cases] == [
+        (0.001, 0.262),
+        (0.001, 0.524),
+        (0.002, 0.262),
+        (0.002, 0.524),
+    ]
+
+
+def test_zip_and_list_multiply():
+    axes = {
+        "zip": {"cut_depth": ["1 mm", "2 mm"], "cut_speed": ["5 m/s", "2 m/s"]},
+        "list": [{"friction": 0.0}, {"friction": 0.3, "modulus_tangent": "0 MPa"}],
+    }
+    cases = members(base={"kind": "mpm"}, axes=axes)
+    assert [(c.cut_depth, c.cut_speed, c.tool.friction, c.material.modulus_tangent) for c in cases] == [
+        (0.001, 5.0, 0.0, 100e6),
+        (0.001, 5.0, 0.3, 0.0),
+        (0.002, 2.0, 0.0, 100e6),
+        (0.002, 2.0, 0.3, 0.0),
+    ]
+
+
+def test_replicates_change_the_seed_alone():
+    cases = members(base={"kind": "dem", "packing": {"seed": 7}}, replicates=3)
+    assert [c.packing.seed for c in cases] == [7, 8, 9]
+    assert len({c.model_copy(update={"packing": cases[0].packing}) for c in cases}) == 1
+
+
+def test_same_case_in_two_sweeps_is_one_run():
+    two = study(
+        a={"base": {"kind": "mpm"}, "axes": {"product": {"cut_depth": ["0.9 mm", "1 mm"]}}},
+        b={"base": {"kind": "mpm", "cut_depth": "900 um"}},
+    )
+    cases = two.cases()
+    assert set(cases["b"]) < set(cases["a"])
+    assert set(cases["b"]) == {case_id(load("mpm"))}
+    assert two.labels()[case_id(load("mpm"))] == "a: cut_depth 0.9 mm"
+
+
+@pytest.mark.parametrize(
+    ("sweep", "words"),
+    [
+        ({"base": {"kind": "mpm"}, "replicates": 2}, "replicates = 2: mpm_cutting has nothing random"),
+        ({"base": {"cut_depth": "1 mm"}}, "sweeps.a: kind = None: must be one of"),
+        (
+            {"base": {"kind": "mpm"}, "axes": {"product": {"depth": ["1 mm"]}}},
+            r"axes.product: depth: .* did you mean cut_d",
+        ),
+        (
+            {"base": {"kind": "mpm"}, "axes": {"product": {"cut_depth": ["1"]}}},
+            "sweeps.a: cut_depth = '1': has no unit",
+        ),
+        (
+            {
+                "base": {"kind": "mpm"},
+                "axes": {"product": {"rake_angle": ["1 deg"]}, "zip": {"tool.rake_angle": ["2 deg"]}},
+            },
+            r"axes.zip: tool.rake_angle is already varied by product",
+        ),
+    ],
+)
+def test_faults_when_expanded(sweep, words):
+    with pytest.raises(ConfigError, match=words):
+        members(**sweep)
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("title: t\nsweeps: {}\nfigures: {f: [a]}\n", "figures.f = 'a': no such sweep"),
+        ("title: t\nsweeps: {}\n", "figures: Field required"),
+        ("titel: t\nsweeps: {}\nfigures: {}\n", "titel = 't': no such field; did you mean title"),
+        (
+            "title: t\nsweeps: {a: {base: {}, axes: {zip: {cut_depth: [1 mm], cut_speed: []}}}}\nfigures: {}\n",
+            "differ in",
+        ),
+        (
+            "title: t\nsweeps: {a: {base: {kind: mpm}, axes: {product: {cut_depth: []}}}}\nfigures: {}\n",
+            "has no values",
+        ),
+        (
+            "title: t\nsweeps: {a: {base: {kind: mpm}, replicates: 0}}\nfigures: {}\n",
+            "sweeps.a.replicates = 0: is out of range",
+        ),
+        ("3\n", "must hold title, sweeps and figures"),
+    ],
+)
+def test_faults_when_read(tmp_path, content, words):
+    path = tmp_path / "study.yaml"
+    path.write_text(content)
+    with pytest.raises(ConfigError) as caught:
+        load_study(path)
+    assert words in str(caught.value)
+    assert str(path) in str(caught.value)
