@@ -114,6 +114,18 @@ def _merge(defaults: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, An
     return merged
 
 
+def load_raw(origin: str | Path) -> dict[str, Any]:
+    """Fields of a YAML file as written, or the kind alone if a kind such as ``mpm`` is given."""
+    name = str(origin)
+    if name in KINDS or name in ALIASES:
+        data: Any = {"kind": name}
+    else:
+        data = read_yaml(Path(origin))
+    if not isinstance(data, dict):
+        raise ConfigError(f"{name}: must hold the fields of a case")
+    return {**data, "kind": case_kind(data, name)}
+
+
 def load(origin: str | Path, values: Mapping[str, Any] | None = None) -> Case:
     """Read a case from a YAML file, or take the defaults of a kind, then override some fields.
 
@@ -124,13 +136,8 @@ def load(origin: str | Path, values: Mapping[str, Any] | None = None) -> Case:
     values : mapping, optional
         Field names to values as a user writes them.
     """
-    name = str(origin)
-    if name in KINDS or name in ALIASES:
-        data: Any = {"kind": ALIASES.get(name, name)}
-    else:
-        data = read_yaml(Path(origin))
-    if not isinstance(data, dict):
-        raise ConfigError(f"{name}: must hold the fields of a case")
+    data, source = load_raw(origin), str(origin)
     if values:
-        data = override(data, values, f"{name} --set")
-    return validate(data, name)
+        source += " --set"
+        data = override(data, values, source)
+    return validate(data, source)

@@ -1,0 +1,96 @@
+"""The one door to a simulation: a case in, a dataset out."""
+
+from __future__ import annotations
+
+import importlib
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from orthocut.params.case import Case, load
+
+if TYPE_CHECKING:
+    import xarray
+
+Progress = Callable[[float], None]
+
+SMALLEST = {
+    "mpm_cutting": {
+        "points_per_depth": 4,
+        "length_ratio": 6.0,
+        "base_ratio": 0.5,
+        "travel_ratio": 1.0,
+        "window_ratio": 0.5,
+        "notch_ratio": 0.5,
+    },
+    "dem_cutting": {"packing.width": "0.25 mm", "packing.height": "0.25 mm", "travel": "2 um", "cut_depth": "0.05 mm"},
+    "dem_tension": {"packing.width": "0.15 mm", "packing.height": "0.3 mm", "strain_max": 1e-5},
+    "dem_compression": {"packing.width": "0.15 mm", "packing.height": "0.3 mm", "strain_max": 1e-5},
+}
+"""What to set to make a case of each kind take a moment and still pass through the whole solver."""
+
+_SECONDS_PER_POINT_STEP = 60e-9
+_SECONDS_PER_DISC_STEP = 100e-9
+_SECONDS_START = 3.0
+_SOLID_FRACTION = 0.9
+
+
+def run_case(case: Case, progress: Progress | None = None) -> xarray.Dataset:
+    """Simulate a case.
+
+    Parameters
+    ----------
+    case : Case
+        As `orthocut.params.case.load` or `validate` return it.
+    progress : callable, optional
+        Called now and then with the fraction that is done, 0 to 1.
+
+    Returns
+    -------
+    xarray.Dataset
+        Histories, results and snapshots with units, names and symbols; attributes hold the whole case, its provenance
+        and the run time ``wall_time_s``.
+
+    Raises
+    ------
+    RuntimeError
+        If the simulation diverges; the message says when, where and what to change.
+    """
+    experiment = importlib.import_module(f"orthocut.experiments.{case.kind}")
+    start = time.perf_counter()
+    dataset = experiment.simulate(case, progress or _ignore)
+    dataset.attrs.setdefault("wall_time_s", time.perf_counter() - start)
+    return dataset
+
+
+def _ignore(fraction: float) -> None:
+    """Do nothing."""
+
+
+def warm(kind: str) -> float:
+    """Compile the kernels that a kind of case needs by running its smallest case; return the seconds it took."""
+    start = time.perf_counter()
+    run_case(load(kind, SMALLEST[kind]))
+    return time.perf_counter() - start
+
+
+def estimate_seconds(case: Case) -> float:
+    """Rough run time of a case on one core [s], for schedules and for the time left; never for results."""
+    if case.kind == "mpm_cutting":
+        particle = case.cut_depth / case.numerics.points_per_depth
+        work = case.workpiece
+        points = work.length_ratio * (1 + work.base_ratio) * case.numerics.points_per_depth**2
+        duration = case.travel_ratio * case.cut_depth / case.cut_speed / (1 - case.numerics.ramp_fraction / 2)
+        step = case.numerics.courant * 2 * particle / case.material.speed_pressure_wave
+        return _SECONDS_START + points * duration / step * _SECONDS_PER_POINT_STEP
+
+    packing, joint = case.packing, case.joint
+    mean_square = packing.radius_min**2 * (1 + packing.radius_ratio + packing.radius_ratio**2) / 3
+    discs = _SOLID_FRACTION * packing.width * packing.height / (3.14159 * mean_square)
+    step = joint.time_step_factor * packing.radius_min * (3.14159 * joint.density / joint.modulus) ** 0.5
+    if case.kind == "dem_cutting":
+        duration = case.travel / case.cut_speed
+    else:
+        strain = {"dem_tension": 2e-3, "dem_compression": 6e-3}[case.kind]
+        duration = min(case.strain_max, strain) * packing.height / (2 * case.grip_speed)
+    return _SECONDS_START + discs * duration / step * _SECONDS_PER_DISC_STEP
