@@ -1,0 +1,5 @@
+"""A run that leaves the range of its own assumptions stops, with a diagnosis."""
+
+
+class Diverged(RuntimeError):
+    """The numbers of a run can no longer be trusted; the message says what was seen, when and what to try."""
