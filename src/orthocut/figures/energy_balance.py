@@ -1,0 +1,58 @@
+"""Where the work of the tool goes: all energies of a cut over the travel, stacked, against the work."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from orthocut.figures.canvas import cases, name_axes, nothing, page, styled, values
+from orthocut.figures.palette import QUANTITY
+from orthocut.variables import VARIABLES
+
+CAPTION = (
+    "Energies of a cut over the travel of the tool, stacked, against the work of the tool. What is missing to the line "
+    "is not accounted for; its share at the end is the closure error."
+)
+ENERGIES = tuple(name for name in QUANTITY if name.startswith("energy_") and name != "energy_residual")
+
+
+@styled
+def draw(dataset: xr.Dataset) -> Figure:
+    """One panel a run, at most four."""
+    runs = cases(dataset, "work_tool", "tool_travel")[:4]
+    figure = page(2.6 * max(len(runs), 1) + 0.5)
+    panels = figure.subplots(max(len(runs), 1), squeeze=False)[:, 0]
+    handles: dict = {}
+    for ax, run in zip(panels, runs, strict=False):
+        handles |= draw_energies(ax, run)
+    if runs:
+        figure.legend(handles.values(), handles.keys(), loc="outside upper center", ncols=3, columnspacing=1.0)
+    else:
+        nothing(panels[0])
+    return figure
+
+
+def draw_energies(ax, run: xr.Dataset) -> dict:
+    """Stack the energies of one run; return its legend entries by name."""
+    travel = values(run, "tool_travel")
+    order = np.argsort(travel, kind="stable")
+    order = order[np.isfinite(travel[order])]
+    names = [name for name in ENERGIES if np.isfinite(values(run, name)).any() and np.nanmax(np.abs(run[name])) > 0]
+    handles = {}
+    top = np.zeros(order.size)
+    for name in names:
+        raised = top + np.nan_to_num(values(run, name)[order])
+        handles[VARIABLES[name].long_name] = ax.fill_between(
+            travel[order], top, raised, color=QUANTITY[name], lw=0, alpha=0.85
+        )
+        top = raised
+    work = values(run, "work_tool")[order]
+    handles[VARIABLES["work_tool"].long_name] = ax.plot(travel[order], work, color=QUANTITY["work_tool"], lw=1.3)[0]
+    name_axes(ax, "tool_travel", "energy [J/m]")
+    ax.set_xlim(0, travel[order].max() if order.size else 1)
+    closure = float(values(run, "energy_closure")) if "energy_closure" in run else np.nan
+    if not np.isfinite(closure) and order.size and work[-1] != 0:
+        closure = 100 * (work[-1] - top[-1]) / work[-1]
+    ax.set_title(f"not accounted for: {closure:+.2f} % of the work", loc="left")
+    return handles

@@ -1,0 +1,62 @@
+"""The one table of figures and tables: name to the module that draws it."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from types import ModuleType
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from orthocut.figures.tables import Table
+
+FIGURES = {
+    "nairn2015_fig04": "nairn2015_fig04",
+    "nairn2015_fig05": "nairn2015_fig05",
+    "nairn2015_fig07": "nairn2015_fig07",
+    "nairn2015_fig08": "nairn2015_fig08",
+    "energy_balance": "energy_balance",
+    "yang2018_fig05": "yang2018_fig05",
+    "yang2018_fig06": "yang2018_fig06",
+    "yang2018_fig07": "yang2018_fig07",
+    "yang2018_fig08": "yang2018_fig08",
+    "yang2018_fig11": "yang2018_cuts",
+    "yang2018_fig12": "yang2018_cuts",
+    "yang2018_fig13": "yang2018_cuts",
+    "yang2018_fig14": "yang2018_cuts",
+    "yang2018_table4": "yang2018_table4",
+    "show": "show",
+}
+"""Every module has ``draw(dataset) -> Figure`` and ``CAPTION``; with ``tabulate(dataset) -> Table`` also a table."""
+
+WITHOUT_RUNS = frozenset({"nairn2015_fig07"})
+"""Figures of theory alone."""
+
+
+def module(name: str) -> ModuleType:
+    """Module of a figure.
+
+    Raises
+    ------
+    KeyError
+        With the known names, if there is no such figure.
+    """
+    if name not in FIGURES:
+        raise KeyError(f"no figure is called {name!r} (known: {', '.join(FIGURES)})")
+    return import_module(f"orthocut.figures.{FIGURES[name]}")
+
+
+def draw(name: str, dataset: xr.Dataset | None = None) -> Figure:
+    """Draw a figure from a collected dataset, or from a single run."""
+    return module(name).draw(dataset)
+
+
+def caption(name: str) -> str:
+    """Caption of a figure."""
+    return module(name).CAPTION
+
+
+def tabulate(name: str, dataset: xr.Dataset) -> Table | None:
+    """Table that goes with a figure, None if it has none."""
+    make = getattr(module(name), "tabulate", None)
+    return make(dataset) if make else None

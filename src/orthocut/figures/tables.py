@@ -1,0 +1,76 @@
+"""Tables: the same rows as CSV for programs and as Markdown for people."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from orthocut.figures.save import write_text
+
+
+@dataclass(frozen=True)
+class Table:
+    """Title, names of the columns with their units, and rows of texts and numbers; NaN is a hole."""
+
+    title: str
+    header: list[str]
+    rows: list[list[Any]]
+
+    def csv(self) -> str:
+        """Comma-separated text; holes are empty."""
+        file = io.StringIO()
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(self.header)
+        writer.writerows([_plain(cell, 6, "") for cell in row] for row in self.rows)
+        return file.getvalue()
+
+    def markdown(self) -> str:
+        """Markdown with the title on top; holes are dashes."""
+        lines = [f"# {self.title}", "", _row(self.header), _row(["---"] * len(self.header))]
+        return "\n".join(lines + [_row([_plain(cell, 4, "-") for cell in row]) for row in self.rows]) + "\n"
+
+
+def _plain(cell: Any, digits: int, hole: str) -> str:
+    if isinstance(cell, float):
+        return f"{cell:.{digits}g}" if math.isfinite(cell) else hole
+    return str(cell) or hole
+
+
+def _row(cells: list[str]) -> str:
+    return f"| {' | '.join(cells)} |"
+
+
+def write(table: Table, stem: str | Path) -> list[Path]:
+    """Write ``stem.csv`` and ``stem.md``."""
+    stem = Path(stem)
+    texts = {"csv": table.csv(), "md": table.markdown()}
+    return [write_text(text, stem.with_name(f"{stem.name}.{form}")) for form, text in texts.items()]
+
+
+def run_times(runs: list[xr.Dataset]) -> Table:
+    """Run time of each case and the total.
+
+    Parameters
+    ----------
+    runs : list of xarray.Dataset
+        Single runs (attributes ``case_id``, ``kind``, ``wall_time_s``) or collected datasets; a case is listed once.
+    """
+    times: dict[str, tuple[str, float]] = {}
+    for run in runs:
+        if "case" in run.dims:
+            for name, kind, time in zip(
+                run["case_id"].values, run["kind"].values, run["wall_time"].values, strict=True
+            ):
+                times[str(name)] = (str(kind), float(time))
+        else:
+            times[run.attrs["case_id"]] = (run.attrs["kind"], float(run.attrs.get("wall_time_s", math.nan)))
+    rows: list[list[Any]] = [[name, kind, time] for name, (kind, time) in sorted(times.items())]
+    total = float(np.nansum([time for _, time in times.values()]))
+    return Table("Run times", ["case", "kind", "run time [s]"], [*rows, [f"{len(times)} cases", "total", total]])

@@ -1,0 +1,21 @@
+"""Yang et al. (2018), Fig. 7: uniaxial tension."""
+
+from __future__ import annotations
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from orthocut.figures.canvas import styled
+from orthocut.figures.specimen import strength_test
+
+CAPTION = (
+    "Uniaxial tension of the synthetic glass specimen: cracks at the end of the test and stress-strain curves, after "
+    "Yang et al. (2018), Fig. 7. Solid: stress in the measurement regions; dotted: from the reaction of the grips; "
+    "circles: strength."
+)
+
+
+@styled
+def draw(dataset: xr.Dataset) -> Figure:
+    """Specimen of the first replicate, curves of all."""
+    return strength_test(dataset, "dem_tension", 1.0, "tension positive")
