@@ -26,6 +26,8 @@ class Packing(Block):
     """Smallest radius before scaling; radii are uniform between the smallest and the largest."""
     radius_ratio: Annotated[float, Number(1.0, 4.0)] = 1.3333333333333333
     """Largest over smallest radius."""
+    porosity_cloud: Annotated[float, Number(0.05, 0.4)] = 0.103
+    """Porosity of the cloud of discs before scaling, overlaps ignored; sets the number of discs."""
     pressure_ratio: Annotated[float, Number(1e-4, 0.1)] = 0.03
     """Confining pressure over contact modulus at which the joints are installed."""
     seed: Annotated[int, Number(0, 2**31 - 1, integer=True)] = 1
@@ -101,7 +103,7 @@ class DemCutting(_Dem):
 
     kind: Literal["dem_cutting"] = "dem_cutting"
     packing: Packing = Packing.model_construct(
-        width=1e-3, height=1e-3, radius_min=10e-6, radius_ratio=1.3333333333333333, pressure_ratio=0.03, seed=1
+        width=1e-3, height=1e-3, radius_min=10e-6, radius_ratio=1.3333333333333333, porosity_cloud=0.103, pressure_ratio=0.03, seed=1
     )
     tool: Tool = Tool.model_construct(rake_angle=-0.261799387799149, clearance_angle=0.261799387799149, friction=0.577)
     cut_depth: Annotated[float, Quantity("m", "1 um", "10 mm", "mm")] = 0.1e-3

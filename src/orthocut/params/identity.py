@@ -15,6 +15,7 @@ _PACKAGE = Path(__file__).resolve().parent.parent
 _METHODS = ("mpm", "dem")
 _NUMBERS = ("kernels", "mpm", "dem", "experiments", "measure", "params")
 _PICTURES = ("figures", "theory", "variables.py")
+_DATASETS = ("io", "variables.py")
 _INPUT_ONLY = ("__init__", "block", "case", "identity", "quantity", "schema", "study", "text")
 _LIBRARIES = ("numpy", "numba", "llvmlite", "scipy")
 
@@ -54,6 +55,12 @@ def digest_numbers(kind: str) -> str:
     """Digest of the sources and the libraries that can change the numbers of a kind of case."""
     libraries = ", ".join(f"{name} {version(name)}" for name in _LIBRARIES)
     return _digest(sources(kind), libraries)
+
+
+@cache
+def digest_datasets() -> str:
+    """Digest of the sources that join runs into the dataset of a figure."""
+    return _digest(_files(_DATASETS), version("xarray"))
 
 
 @cache

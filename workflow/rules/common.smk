@@ -1,0 +1,36 @@
+"""What the study asks for: cases, figures, digests. Stops before the DAG when the study is faulty."""
+
+from pathlib import Path
+
+from snakemake.exceptions import WorkflowError
+from snakemake.logging import logger
+
+from orthocut.figures.registry import caption
+from orthocut.params.block import ConfigError
+from orthocut.params.identity import canonical, digest_datasets, digest_numbers, digest_pictures
+from orthocut.plan import load_plan
+
+
+STUDY = Path(workflow.basedir, "workflow/config", f"{config.get('study', 'quick')}.yaml")
+RESULTS = config.get("results", "results")
+try:
+    PLAN = load_plan(Path(config.get("study_file", STUDY)))
+except ConfigError as error:
+    raise WorkflowError(str(error)) from None
+
+logger.info("", extra={"cases": PLAN.announcement()})
+
+
+wildcard_constraints:
+    case_id="[a-z]+(-[a-z]+)*-[0-9a-f]+",
+    figure="[a-z][a-z0-9_]*",
+
+
+def runs_of(figure):
+    """Files of the runs that a figure draws."""
+    return [f"{RESULTS}/runs/{case}.nc" for case in PLAN.figures[figure]]
+
+
+def dataset_of(figure):
+    """File that a figure draws; none for a figure of theory alone."""
+    return [f"{RESULTS}/datasets/{figure}.nc"] if PLAN.figures[figure] else []

@@ -1,0 +1,62 @@
+"""Draw the datasets. Sources that only change pictures are parameters of these jobs alone."""
+
+
+rule figure:
+    input:
+        dataset=lambda wildcards: dataset_of(wildcards.figure),
+    output:
+        png=report(f"{RESULTS}/figures/{{figure}}.png", caption="../report/figure.rst", category="Figures"),
+        svg=f"{RESULTS}/figures/{{figure}}.svg",
+    log:
+        f"{RESULTS}/logs/figure/{{figure}}.log",
+    params:
+        sources=digest_pictures(),
+        caption=lambda wildcards: caption(wildcards.figure),
+    conda:
+        "../envs/orthocut.yaml"
+    script:
+        "../scripts/figure.py"
+
+
+rule table:
+    input:
+        dataset=lambda wildcards: dataset_of(wildcards.figure),
+    output:
+        csv=report(f"{RESULTS}/tables/{{figure}}.csv", caption="../report/figure.rst", category="Tables"),
+        md=f"{RESULTS}/tables/{{figure}}.md",
+    log:
+        f"{RESULTS}/logs/table/{{figure}}.log",
+    params:
+        sources=digest_pictures(),
+        caption=lambda wildcards: caption(wildcards.figure),
+    conda:
+        "../envs/orthocut.yaml"
+    script:
+        "../scripts/table.py"
+
+
+rule run_times:
+    input:
+        runs=expand(f"{RESULTS}/runs/{{case_id}}.nc", case_id=PLAN.cases),
+    output:
+        csv=report(f"{RESULTS}/tables/run_times.csv", caption="../report/run_times.rst", category="Tables"),
+        md=f"{RESULTS}/tables/run_times.md",
+    log:
+        f"{RESULTS}/logs/run_times.log",
+    conda:
+        "../envs/orthocut.yaml"
+    script:
+        "../scripts/run_times.py"
+
+
+ruleorder: run_times > table
+
+
+rule figures:
+    input:
+        expand(f"{RESULTS}/figures/{{figure}}.{{form}}", figure=PLAN.figures, form=("png", "svg")),
+
+
+rule tables:
+    input:
+        expand(f"{RESULTS}/tables/{{name}}.{{form}}", name=[*PLAN.tables, "run_times"], form=("csv", "md")),

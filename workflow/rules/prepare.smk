@@ -1,0 +1,14 @@
+"""Compile the kernels of each method once, before many jobs at a time need them."""
+
+
+rule warm:
+    output:
+        touch(f"{RESULTS}/kernels/{{kind}}.compiled"),
+    log:
+        f"{RESULTS}/logs/warm/{{kind}}.log",
+    params:
+        sources=lambda wildcards: digest_numbers(wildcards.kind),
+    conda:
+        "../envs/orthocut.yaml"
+    script:
+        "../scripts/warm.py"

@@ -1,0 +1,9 @@
+"""Table of run times, per case and in total."""
+
+from logged import logged
+
+with logged(snakemake.log[0]):
+    from orthocut.figures.tables import run_times, write
+    from orthocut.io.netcdf import read
+
+    write(run_times([read(path) for path in snakemake.input.runs]), snakemake.output.csv.removesuffix(".csv"))
