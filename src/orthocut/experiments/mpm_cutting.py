@@ -1,0 +1,147 @@
+"""Orthogonal cut of a ductile strip along a cohesive path (Nairn 2015)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+
+from orthocut.io.datasets import build
+from orthocut.kernels.mpm import interface, step
+from orthocut.measure.guard import Diverged
+from orthocut.measure.points import snapshot
+from orthocut.measure.steady import block_mean
+from orthocut.mpm import setup
+from orthocut.mpm.solver import Solver
+from orthocut.params.mpm import MpmCutting
+
+SAMPLES = 500
+"""Output intervals of a run."""
+SNAPSHOTS = 6
+"""Snapshots of a run, evenly spaced; the last one at its end."""
+TOUCHING_CELLS = 1.5
+"""Mean distance from tool tip to crack tip, in cells, below which the tool touches: contact reaches 1.25 cells ahead."""
+
+_IMPULSES = {
+    "force_cutting_chip": step.CHIP_X,
+    "force_thrust_chip": step.CHIP_Y,
+    "force_cutting_base": step.BASE_X,
+    "force_thrust_base": step.BASE_Y,
+    "reaction_cutting": step.CLAMP_X,
+    "reaction_thrust": step.CLAMP_Y,
+}
+_ENERGIES = {
+    "work_tool": step.WORK,
+    "energy_cohesive": step.COHESIVE,
+    "energy_friction": step.FRICTION,
+    "energy_contact": step.IMPACT,
+    "energy_numerical": step.NUMERICAL,
+    "energy_damping": step.DAMPED,
+}
+
+
+def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fraction: None) -> xr.Dataset:
+    """Run a cut.
+
+    Parameters
+    ----------
+    case : MpmCutting
+        The case.
+    progress : callable
+        Receives the fraction done.
+
+    Returns
+    -------
+    xarray.Dataset
+        Histories (forces are means over the output intervals), snapshots and steady-state means.
+
+    Raises
+    ------
+    Diverged
+        If energies stop being finite or a point leaves the grid.
+    """
+    state = setup.build(case)
+    solver = Solver(state, case.material, case.interface)
+    duration = state.tool[step.RAMP_TIME] / case.numerics.ramp_fraction
+    steps = math.ceil(duration / state.time_step / SAMPLES)
+    face = state.tool[step.TIP_X]
+    histories: dict[str, list[float]] = {}
+    snapshots = []
+    for sample in range(1, SAMPLES + 1):
+        before = state.totals.copy()
+        solver.advance(steps)
+        record = _sample(solver, before, steps * state.time_step, face)
+        _check(solver, record, case)
+        for name, value in record.items():
+            histories.setdefault(name, []).append(value)
+        if sample % (SAMPLES // SNAPSHOTS) == 0 and len(snapshots) < SNAPSHOTS - 1 or sample == SAMPLES:
+            snapshots.append(snapshot(state, case.material))
+        progress(sample / SAMPLES)
+    arrays = {name: np.array(values) for name, values in histories.items()}
+    data = {name: (("sample",), values) for name, values in arrays.items()}
+    data |= {name: ((), value) for name, value in _results(case, solver, arrays).items()}
+    for name, (dims, _) in snapshots[0].items():
+        data[name] = (("snapshot", *dims), np.stack([shot[name][1] for shot in snapshots]))
+    data["point_half_width"] = ((), 0.25 * state.cell)
+    dataset = build(case, "Orthogonal cut with material points", data, {"time": data.pop("time")})
+    dataset.attrs |= {
+        "points": state.point_count,
+        "steps": steps * SAMPLES,
+        "time_step_s": state.time_step,
+        "cell_m": state.cell,
+    }
+    return dataset
+
+
+def _sample(solver: Solver, before: np.ndarray, interval: float, face: float) -> dict[str, float]:
+    """Values at the end of an output interval; forces are means over it, on the tool."""
+    state, now = solver.state, solver.state.totals
+    elastic, plastic, kinetic = solver.energies()
+    record = {"time": now[step.TIME], "tool_travel": face - state.tool[step.TIP_X]}
+    record |= {name: -(now[row] - before[row]) / interval for name, row in _IMPULSES.items()}
+    record["force_cutting"] = record["force_cutting_chip"] + record["force_cutting_base"]
+    record["force_thrust"] = record["force_thrust_chip"] + record["force_thrust_base"]
+    record["tool_tip"] = state.tool[step.TIP_X]
+    record["crack_tip"] = solver.crack_tip
+    record["crack_gap"] = record["tool_tip"] - record["crack_tip"]
+    record |= {name: now[row] for name, row in _ENERGIES.items()}
+    record |= {"energy_elastic": elastic, "energy_plastic": plastic, "energy_kinetic": kinetic}
+    known = sum(value for name, value in record.items() if name.startswith("energy_"))
+    record["energy_residual"] = record["work_tool"] - known
+    return record
+
+
+def _check(solver: Solver, record: dict[str, float], case: MpmCutting) -> None:
+    """Stop a run whose numbers can no longer be trusted."""
+    when = f"at a travel of {record['tool_travel'] / case.cut_depth:.2f} depths of cut"
+    if not all(math.isfinite(value) for value in record.values()):
+        raise Diverged(
+            f"energies are no longer finite {when}; try a smaller numerics.courant than {case.numerics.courant:g}"
+        )
+    if solver.escaped:
+        raise Diverged(f"a material point left the grid {when}: the chip is longer than the space above the workpiece")
+
+
+def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) -> dict[str, float]:
+    """Steady-state means over the window of travel, and the energy balance of the whole run."""
+    window = arrays["tool_travel"] >= case.window_ratio * case.cut_depth
+    cutting, thrust, rubbing, gap = (
+        block_mean(arrays[name][window]) for name in ("force_cutting", "force_thrust", "force_thrust_base", "crack_gap")
+    )
+    pairs = solver.state.interface
+    start = arrays["time"][window][0] if window.any() else math.inf
+    failed = pairs[interface.FAILED_AT] >= start
+    return {
+        "force_cutting_mean": cutting.value,
+        "force_cutting_error": cutting.error,
+        "force_cutting_drift": cutting.drift,
+        "force_thrust_mean": thrust.value,
+        "force_thrust_error": thrust.error,
+        "force_rubbing_mean": rubbing.value,
+        "crack_gap_mean": gap.value,
+        "touching": float(gap.value < TOUCHING_CELLS * solver.state.cell),
+        "mode_one_fraction": float(pairs[interface.MODE_ONE, failed].mean()) if failed.any() else math.nan,
+        "energy_closure": arrays["energy_residual"][-1] / arrays["work_tool"][-1],
+    }

@@ -1,0 +1,178 @@
+"""Contact of material points with the rigid wedge, by exact geometry and prescribed normals.
+
+A node is in contact when a point that it serves reaches through a face of the wedge: the distance of the point from the
+face is less than the half-extent of its deformed domain. Momentum is then exchanged along the normals of Nairn (2015) for
+tools that cut towards -x: (cos a, -sin a) for the rake face, (0, 1) for the bottom, from the material into the tool.
+"""
+
+import math
+
+from orthocut.kernels.jit import jit
+from orthocut.kernels.mpm.layout import (
+    BASE,
+    BLOCK,
+    CHIP,
+    FXX,
+    FXY,
+    FYX,
+    FYY,
+    LANES,
+    MASS,
+    NM,
+    NMARK,
+    NODE,
+    NPX,
+    NPY,
+    NVX,
+    NVY,
+    X,
+    Y,
+)
+from orthocut.kernels.mpm.shape import nearest_node
+
+
+@jit
+def face_of(body, rake_angle, clearance_angle):
+    """Unit normal into the tool and direction away from the tip of the face that a body meets."""
+    if body == CHIP:
+        return math.cos(rake_angle), -math.sin(rake_angle), math.sin(rake_angle), math.cos(rake_angle)
+    return -math.sin(clearance_angle), math.cos(clearance_angle), math.cos(clearance_angle), math.sin(clearance_angle)
+
+
+@jit
+def list_near_points(near, points, blocks, body, rake_angle, clearance_angle, tip_x, tip_y, reach):
+    """List the points of a body that are within reach of their face of the tool.
+
+    Parameters
+    ----------
+    near : int array
+        Receives block * LANES + lane of each point.
+    reach : float
+        Distance from the face, and along it beyond the tip, within which points are listed [m].
+
+    Returns
+    -------
+    int
+        Number of points listed.
+    """
+    nx, ny, tx, ty = face_of(body, rake_angle, clearance_angle)
+    count = 0
+    for block in range(blocks[0], blocks[1]):
+        start = block * BLOCK
+        for lane in range(LANES):
+            dx = points[start + X * LANES + lane] - tip_x
+            dy = points[start + Y * LANES + lane] - tip_y
+            outside = -(dx * nx + dy * ny)
+            along = dx * tx + dy * ty
+            if outside < reach and along > -reach and points[start + MASS * LANES + lane] > 0.0:
+                near[count] = block * LANES + lane
+                count += 1
+    return count
+
+
+@jit
+def mark_contact_nodes(
+    marked, grid, points, near, near_count, body, tool, half_width, origin_x, origin_y, inv_cell, count_x, count_y
+):
+    """List the nodes of a body that serve a point which reaches through its face of the tool.
+
+    Parameters
+    ----------
+    marked : int array
+        Receives the offsets of the nodes.
+    grid : float array
+        Nodes of the body; the mark of each listed node is set.
+    tool : float array, shape (5,)
+        Rake angle, clearance angle [rad], friction, position of the tip [m].
+    half_width : float
+        Half-width of an undeformed point [m].
+
+    Returns
+    -------
+    int
+        Number of nodes listed.
+    """
+    nx, ny, tx, ty = face_of(body, tool[0], tool[1])
+    count = 0
+    for k in range(near_count):
+        start = near[k] // LANES * BLOCK
+        lane = near[k] % LANES
+        x, y = points[start + X * LANES + lane], points[start + Y * LANES + lane]
+        fxx, fxy = points[start + FXX * LANES + lane], points[start + FXY * LANES + lane]
+        fyx, fyy = points[start + FYX * LANES + lane], points[start + FYY * LANES + lane]
+        dx, dy = x - tool[3], y - tool[4]
+        extent_normal = half_width * (abs(nx * fxx + ny * fyx) + abs(nx * fxy + ny * fyy))
+        extent_along = half_width * (abs(tx * fxx + ty * fyx) + abs(tx * fxy + ty * fyy))
+        if -(dx * nx + dy * ny) < extent_normal and dx * tx + dy * ty > -extent_along:
+            i = int(nearest_node((x - origin_x) * inv_cell, count_x))
+            j = int(nearest_node((y - origin_y) * inv_cell, count_y))
+            for row in range(j - 1, j + 2):
+                for column in range(i - 1, i + 2):
+                    at = (row * count_x + column) * NODE
+                    if grid[at + NMARK] == 0.0:
+                        grid[at + NMARK] = 1.0
+                        marked[count] = at
+                        count += 1
+    return count
+
+
+@jit
+def push_with_tool(grid, marked, marked_count, body, tool, speed, mass_small):
+    """Exchange momentum between the tool and the marked nodes that approach it; Coulomb friction along the face.
+
+    Parameters
+    ----------
+    grid : float array
+        Nodes of the body with their velocities at the end of the step; modified in place.
+    speed : float
+        Speed of the tool towards -x [m/s].
+
+    Returns
+    -------
+    impulse_x, impulse_y : float
+        Impulse of the tool on the body [N s/m].
+    change : float
+        Change of the kinetic energy of the nodes [J/m].
+    lost_impact, lost_friction : float
+        Work of the tool that did not reach the nodes: in impacts and in friction [J/m]. Impulses act at the mean velocity
+        of the step, as all forces do.
+    """
+    if body == BASE:
+        nx, ny = 0.0, 1.0
+    else:
+        nx, ny = math.cos(tool[0]), -math.sin(tool[0])
+    friction = tool[2]
+    impulse_x = impulse_y = change = lost_impact = lost_friction = 0.0
+    for k in range(marked_count):
+        at = marked[k]
+        mass = grid[at + NM]
+        if mass <= mass_small:
+            continue
+        vx, vy = grid[at + NVX], grid[at + NVY]
+        dx, dy = -speed - vx, -vy
+        normal = dx * nx + dy * ny
+        if normal >= 0.0:
+            continue
+        jx, jy = mass * normal * nx, mass * normal * ny
+        start_x, start_y = grid[at + NPX] / mass, grid[at + NPY] / mass
+        if friction > 0.0:
+            tangent_x, tangent_y = dx - normal * nx, dy - normal * ny
+            slip = math.sqrt(tangent_x * tangent_x + tangent_y * tangent_y)
+            if slip > 0.0:
+                share = min(1.0, -friction * normal / slip)
+                jx += mass * share * tangent_x
+                jy += mass * share * tangent_y
+        end_x, end_y = vx + jx / mass, vy + jy / mass
+        lag_x, lag_y = -speed - 0.5 * (start_x + end_x), -0.5 * (start_y + end_y)
+        lag_normal = lag_x * nx + lag_y * ny
+        pressed = jx * nx + jy * ny
+        lost_impact += pressed * lag_normal
+        lost_friction += (jx - pressed * nx) * (lag_x - lag_normal * nx) + (jy - pressed * ny) * (
+            lag_y - lag_normal * ny
+        )
+        change += jx * (vx + 0.5 * jx / mass) + jy * (vy + 0.5 * jy / mass)
+        grid[at + NVX] = end_x
+        grid[at + NVY] = end_y
+        impulse_x += jx
+        impulse_y += jy
+    return impulse_x, impulse_y, change, lost_impact, lost_friction

@@ -1,0 +1,247 @@
+"""Cohesive interface between chip and base: tractions, closing contact, motion.
+
+Pairs of massless copies stand along the cutting path; the upper copy moves with the chip, the lower one with the base, both
+with the mass-weighted velocity of the four nodes around them. Weights by mass bound the stiffness that a pair gives to a
+node by the mass of the node: weights by distance alone let nodes of little mass vibrate until the interface breaks far from
+the tool. The opening is upper minus lower.
+"""
+
+import math
+
+from orthocut.kernels.jit import jit
+from orthocut.kernels.laws.cohesive_cubic import energy_released, traction_over_opening
+from orthocut.kernels.mpm.layout import NFX, NFY, NM, NODE, NPX, NPY, NVX, NVY
+
+# rows of the interface state, one column a pair
+UPPER_X, UPPER_Y, LOWER_X, LOWER_Y = 0, 1, 2, 3  # positions [m]
+PEAK_NORMAL, PEAK_TANGENT = 4, 5  # largest openings so far [m]
+TRACTION_X, TRACTION_Y = 6, 7  # traction on the base [Pa]
+NORMAL_X, NORMAL_Y = 8, 9  # unit normal from base to chip
+ALIVE = 10  # 1 while the pair carries tractions, 0 after failure
+MODE_ONE = 11  # energy released in mode I over both modes, at failure
+FAILED_AT = 12  # time of failure [s]
+INTERFACE_ROWS = 13
+
+
+@jit
+def _weights(grid, x, y, origin_x, origin_y, inv_cell, count_x):
+    i = int(math.floor((x - origin_x) * inv_cell))
+    j = int(math.floor((y - origin_y) * inv_cell))
+    rx = (x - origin_x) * inv_cell - i
+    ry = (y - origin_y) * inv_cell - j
+    at = (j * count_x + i) * NODE
+    above = at + count_x * NODE
+    w00 = (1.0 - rx) * (1.0 - ry) * grid[at + NM]
+    w10 = rx * (1.0 - ry) * grid[at + NODE + NM]
+    w01 = (1.0 - rx) * ry * grid[above + NM]
+    w11 = rx * ry * grid[above + NODE + NM]
+    total = w00 + w10 + w01 + w11
+    scale = 1.0 / total if total > 0.0 else 0.0
+    return at, above, w00 * scale, w10 * scale, w01 * scale, w11 * scale
+
+
+@jit
+def spread(grid, x, y, force_x, force_y, origin_x, origin_y, inv_cell, count_x):
+    """Share a force at a place among the nodes around it by mass."""
+    at, above, w00, w10, w01, w11 = _weights(grid, x, y, origin_x, origin_y, inv_cell, count_x)
+    grid[at + NFX] += w00 * force_x
+    grid[at + NFY] += w00 * force_y
+    grid[at + NODE + NFX] += w10 * force_x
+    grid[at + NODE + NFY] += w10 * force_y
+    grid[above + NFX] += w01 * force_x
+    grid[above + NFY] += w01 * force_y
+    grid[above + NODE + NFX] += w11 * force_x
+    grid[above + NODE + NFY] += w11 * force_y
+
+
+@jit
+def sample(grid, x, y, origin_x, origin_y, inv_cell, count_x):
+    """Velocity at a place from the nodes around it that have mass [m/s]."""
+    at, above, w00, w10, w01, w11 = _weights(grid, x, y, origin_x, origin_y, inv_cell, count_x)
+    vx = w00 * grid[at + NVX] + w10 * grid[at + NODE + NVX] + w01 * grid[above + NVX] + w11 * grid[above + NODE + NVX]
+    vy = w00 * grid[at + NVY] + w10 * grid[at + NODE + NVY] + w01 * grid[above + NVY] + w11 * grid[above + NODE + NVY]
+    return vx, vy
+
+
+@jit
+def set_normals(interface):
+    """Normals of the living pairs from central differences of the midpoints of their living neighbours."""
+    count = interface.shape[1]
+    for k in range(count):
+        if interface[ALIVE, k] == 0.0:
+            continue
+        a = k - 1 if k > 0 and interface[ALIVE, k - 1] > 0.0 else k
+        b = k + 1 if k < count - 1 and interface[ALIVE, k + 1] > 0.0 else k
+        tx = 0.5 * (interface[UPPER_X, b] + interface[LOWER_X, b] - interface[UPPER_X, a] - interface[LOWER_X, a])
+        ty = 0.5 * (interface[UPPER_Y, b] + interface[LOWER_Y, b] - interface[UPPER_Y, a] - interface[LOWER_Y, a])
+        length = math.sqrt(tx * tx + ty * ty)
+        if length > 0.0:
+            interface[NORMAL_X, k] = -ty / length
+            interface[NORMAL_Y, k] = tx / length
+
+
+@jit
+def pull_together(
+    interface,
+    chip,
+    base,
+    closing,
+    closing_normal,
+    closing_slot,
+    area,
+    strength,
+    opening_critical,
+    time,
+    origin_x,
+    origin_y,
+    inv_cell,
+    count_x,
+):
+    """Add the tractions of all living pairs to the nodes; list the nodes where the interface is closed.
+
+    Parameters
+    ----------
+    interface : float array, shape (INTERFACE_ROWS, n_pairs)
+        State of the pairs; modified in place.
+    chip, base : float array
+        Nodes of both bodies; forces are added.
+    closing : int array
+        Receives the offsets of the nodes around closed pairs.
+    closing_normal : float array, shape (n, 2)
+        Receives the sum of the normals of the pairs around each listed node.
+    closing_slot : int array, shape (n_nodes,)
+        Work space, -1 everywhere; left so.
+    area : float
+        Area of a pair per unit width [m].
+    strength, opening_critical : float
+        Cohesive stress [Pa] and critical opening [m].
+    time : float
+        Time, logged at failure [s].
+
+    Returns
+    -------
+    int
+        Number of nodes listed.
+    """
+    energy_critical = energy_released(opening_critical, opening_critical, strength)
+    count = 0
+    for k in range(interface.shape[1]):
+        if interface[ALIVE, k] == 0.0:
+            continue
+        nx, ny = interface[NORMAL_X, k], interface[NORMAL_Y, k]
+        opening_x = interface[UPPER_X, k] - interface[LOWER_X, k]
+        opening_y = interface[UPPER_Y, k] - interface[LOWER_Y, k]
+        normal = opening_x * nx + opening_y * ny
+        tangent = opening_x * ny - opening_y * nx
+        one = energy_released(max(normal, 0.0), opening_critical, strength)
+        two = energy_released(abs(tangent), opening_critical, strength)
+        if one + two >= energy_critical or normal > opening_critical or abs(tangent) > opening_critical:
+            interface[ALIVE, k] = 0.0
+            interface[TRACTION_X, k] = interface[TRACTION_Y, k] = 0.0
+            interface[MODE_ONE, k] = one / (one + two)
+            interface[FAILED_AT, k] = time
+            continue
+        interface[PEAK_NORMAL, k] = max(interface[PEAK_NORMAL, k], normal)
+        interface[PEAK_TANGENT, k] = max(interface[PEAK_TANGENT, k], abs(tangent))
+        pull = traction_over_opening(interface[PEAK_NORMAL, k], opening_critical, strength) * max(normal, 0.0)
+        shear = traction_over_opening(interface[PEAK_TANGENT, k], opening_critical, strength) * tangent
+        interface[TRACTION_X, k] = pull * nx + shear * ny
+        interface[TRACTION_Y, k] = pull * ny - shear * nx
+        force_x = area * interface[TRACTION_X, k]
+        force_y = area * interface[TRACTION_Y, k]
+        spread(
+            chip,
+            interface[UPPER_X, k],
+            interface[UPPER_Y, k],
+            -force_x,
+            -force_y,
+            origin_x,
+            origin_y,
+            inv_cell,
+            count_x,
+        )
+        spread(
+            base, interface[LOWER_X, k], interface[LOWER_Y, k], force_x, force_y, origin_x, origin_y, inv_cell, count_x
+        )
+        if normal < 0.0:
+            i = int(math.floor((interface[LOWER_X, k] - origin_x) * inv_cell))
+            j = int(math.floor((interface[LOWER_Y, k] - origin_y) * inv_cell))
+            for node in (j * count_x + i, j * count_x + i + 1, (j + 1) * count_x + i, (j + 1) * count_x + i + 1):
+                if closing_slot[node] < 0:
+                    closing_slot[node] = count
+                    closing[count] = node * NODE
+                    closing_normal[count, 0] = closing_normal[count, 1] = 0.0
+                    count += 1
+                closing_normal[closing_slot[node], 0] += nx
+                closing_normal[closing_slot[node], 1] += ny
+    for k in range(count):
+        closing_slot[closing[k] // NODE] = -1
+    return count
+
+
+@jit
+def push_apart(chip, base, closing, closing_normal, count, mass_small):
+    """Exchange normal momentum between chip and base at nodes around closed pairs, where they approach each other.
+
+    Returns
+    -------
+    change : float
+        Change of the kinetic energy of the nodes [J/m].
+    lost : float
+        Energy lost in impacts, with impulses acting at the mean velocity of the step [J/m].
+    """
+    change = lost = 0.0
+    for k in range(count):
+        at = closing[k]
+        mass_chip, mass_base = chip[at + NM], base[at + NM]
+        if mass_chip <= mass_small or mass_base <= mass_small:
+            continue
+        nx, ny = closing_normal[k, 0], closing_normal[k, 1]
+        length = math.sqrt(nx * nx + ny * ny)
+        nx, ny = nx / length, ny / length
+        approach = (chip[at + NVX] - base[at + NVX]) * nx + (chip[at + NVY] - base[at + NVY]) * ny
+        if approach >= 0.0:
+            continue
+        mass = mass_chip * mass_base / (mass_chip + mass_base)
+        start = (chip[at + NPX] / mass_chip - base[at + NPX] / mass_base) * nx
+        start += (chip[at + NPY] / mass_chip - base[at + NPY] / mass_base) * ny
+        chip[at + NVX] -= mass * approach * nx / mass_chip
+        chip[at + NVY] -= mass * approach * ny / mass_chip
+        base[at + NVX] += mass * approach * nx / mass_base
+        base[at + NVY] += mass * approach * ny / mass_base
+        change -= 0.5 * mass * approach * approach
+        lost += 0.5 * mass * approach * start
+    return change, lost
+
+
+@jit
+def move_pairs(interface, chip, base, time_step, area, origin_x, origin_y, inv_cell, count_x):
+    """Move both copies of all living pairs with the velocities at the end of the step.
+
+    Returns
+    -------
+    float
+        Work done on the tractions of the step [J/m].
+    """
+    work = 0.0
+    for k in range(interface.shape[1]):
+        if interface[ALIVE, k] == 0.0:
+            continue
+        ux, uy = sample(chip, interface[UPPER_X, k], interface[UPPER_Y, k], origin_x, origin_y, inv_cell, count_x)
+        lx, ly = sample(base, interface[LOWER_X, k], interface[LOWER_Y, k], origin_x, origin_y, inv_cell, count_x)
+        interface[UPPER_X, k] += time_step * ux
+        interface[UPPER_Y, k] += time_step * uy
+        interface[LOWER_X, k] += time_step * lx
+        interface[LOWER_Y, k] += time_step * ly
+        work += time_step * area * (interface[TRACTION_X, k] * (ux - lx) + interface[TRACTION_Y, k] * (uy - ly))
+    return work
+
+
+@jit
+def crack_tip_of(interface):
+    """Place along the cut of the broken pair farthest ahead (least x) [m]; the notch end where none is broken."""
+    tip = interface[UPPER_X, interface.shape[1] - 1]
+    for k in range(interface.shape[1]):
+        if interface[ALIVE, k] == 0.0:
+            return 0.5 * (interface[UPPER_X, k] + interface[LOWER_X, k])
+    return tip

@@ -1,0 +1,100 @@
+"""Initial state: points, interface and grid of a cut."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from orthocut.kernels.mpm import layout, step
+from orthocut.kernels.mpm import interface as pairs
+from orthocut.mpm.state import State
+from orthocut.params.mpm import MpmCutting
+
+_HEADROOM = 12.0  # space above the surface that a straight chip needs, in depths of cut
+_MARGIN = 3.0  # space beside the workpiece, in depths of cut
+
+
+def fill_blocks(x: np.ndarray, y: np.ndarray, mass: float) -> np.ndarray:
+    """Points at rest in blocks of lanes; lanes that pad the last block stand at the first point and have no mass.
+
+    Parameters
+    ----------
+    x, y : float array, shape (n,)
+        Positions [m].
+    mass : float
+        Mass of each point per unit width [kg/m].
+
+    Returns
+    -------
+    float array, shape (n_blocks, POINT_FIELDS, LANES)
+    """
+    count = -(-x.size // layout.LANES)
+    flat = np.zeros((layout.POINT_FIELDS, count * layout.LANES))
+    flat[layout.X], flat[layout.Y] = x[0], y[0]
+    flat[layout.X, : x.size], flat[layout.Y, : y.size] = x, y
+    flat[layout.MASS, : x.size] = mass
+    for name in (layout.FXX, layout.FYY, layout.BXX, layout.BYY):
+        flat[name] = 1.0
+    return flat.reshape(layout.POINT_FIELDS, count, layout.LANES).transpose(1, 0, 2).copy()
+
+
+def _rectangle(columns: range, rows: range, spacing: float) -> tuple[np.ndarray, np.ndarray]:
+    """Places of points on a square lattice, neighbours in the same cell one after the other."""
+    i, j = np.meshgrid(np.array(columns), np.array(rows), indexing="ij")
+    i, j = i.ravel(), j.ravel()
+    order = np.lexsort((i % 2, j % 2, i // 2, j // 2))
+    return (i[order] + 0.5) * spacing, (j[order] + 0.5) * spacing
+
+
+def build(case: MpmCutting) -> State:
+    """Workpiece at rest, tool tip at the end face of the notch.
+
+    The cutting path is y = 0, the workpiece reaches from x = 0 to its length, the tool stands at its right end.
+    """
+    depth = case.cut_depth
+    n = case.numerics.points_per_depth
+    spacing = depth / n
+    cell = 2.0 * spacing
+    columns = 2 * round(case.workpiece.length_ratio * n / 2)
+    base_rows = 2 * max(1, round(case.workpiece.base_ratio * n / 2))
+    mass = case.material.density * spacing**2
+    chip = fill_blocks(*_rectangle(range(columns), range(n), spacing), mass)
+    base = fill_blocks(*_rectangle(range(columns), range(-base_rows, 0), spacing), mass)
+
+    left = math.ceil(_MARGIN * n / 2) + 2
+    right = math.ceil(_MARGIN * n / 2) + 2
+    below = base_rows // 2 + 3
+    above = math.ceil((1.0 + _HEADROOM) * n / 2) + 3
+    counts = (left + columns // 2 + right + 1, below + above + 1)
+
+    notch = round(case.workpiece.notch_ratio * n)
+    interface = np.zeros((pairs.INTERFACE_ROWS, columns - notch))
+    interface[pairs.UPPER_X] = interface[pairs.LOWER_X] = (np.arange(columns - notch) + 0.5) * spacing
+    interface[pairs.NORMAL_Y] = 1.0
+    interface[pairs.ALIVE] = 1.0
+    interface[pairs.FAILED_AT] = np.nan
+    interface[pairs.MODE_ONE] = np.nan
+
+    duration = case.travel_ratio * depth / (case.cut_speed * (1.0 - 0.5 * case.numerics.ramp_fraction))
+    tool = np.zeros(step.TOOL)
+    tool[step.RAKE], tool[step.CLEARANCE] = case.tool.rake_angle, case.tool.clearance_angle
+    tool[step.FRICTION_TOOL] = case.tool.friction
+    tool[step.TIP_X] = columns * spacing + max(0.0, -math.tan(case.tool.rake_angle)) * depth
+    tool[step.SPEED] = case.cut_speed
+    tool[step.RAMP_TIME] = case.numerics.ramp_fraction * duration
+    tool[step.FEEDBACK] = case.numerics.ramp_feedback
+
+    chip_blocks, base_blocks = chip.shape[0], base.shape[0]
+    return State(
+        points=np.concatenate([chip, base]).ravel(),
+        blocks=np.array([[0, chip_blocks], [chip_blocks, chip_blocks + base_blocks]]),
+        interface=interface,
+        tool=tool,
+        totals=np.zeros(step.TOTALS),
+        cell=cell,
+        origin=(-left * cell, -below * cell),
+        counts=counts,
+        last_clamped_row=below - base_rows // 2,
+        time_step=case.numerics.courant * cell / case.material.speed_pressure_wave,
+    )
