@@ -8,9 +8,9 @@ rule collect:
         dataset=f"{RESULTS}/datasets/{{figure}}.nc",
     log:
         f"{RESULTS}/logs/collect/{{figure}}.log",
-    params:
-        sources=digest_datasets(),
     conda:
         "../envs/orthocut.yaml"
+    params:
+        sources=digest_datasets(),
     script:
         "../scripts/collect.py"

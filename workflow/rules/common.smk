@@ -10,7 +10,6 @@ from orthocut.params.block import ConfigError
 from orthocut.params.identity import canonical, digest_datasets, digest_numbers, digest_pictures
 from orthocut.plan import load_plan
 
-
 STUDY = Path(workflow.basedir, "workflow/config", f"{config.get('study', 'quick')}.yaml")
 RESULTS = config.get("results", "results")
 try:

@@ -9,11 +9,11 @@ rule figure:
         svg=f"{RESULTS}/figures/{{figure}}.svg",
     log:
         f"{RESULTS}/logs/figure/{{figure}}.log",
+    conda:
+        "../envs/orthocut.yaml"
     params:
         sources=digest_pictures(),
         caption=lambda wildcards: caption(wildcards.figure),
-    conda:
-        "../envs/orthocut.yaml"
     script:
         "../scripts/figure.py"
 
@@ -26,11 +26,11 @@ rule table:
         md=f"{RESULTS}/tables/{{figure}}.md",
     log:
         f"{RESULTS}/logs/table/{{figure}}.log",
+    conda:
+        "../envs/orthocut.yaml"
     params:
         sources=digest_pictures(),
         caption=lambda wildcards: caption(wildcards.figure),
-    conda:
-        "../envs/orthocut.yaml"
     script:
         "../scripts/table.py"
 

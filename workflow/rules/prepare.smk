@@ -6,9 +6,9 @@ rule warm:
         touch(f"{RESULTS}/kernels/{{kind}}.compiled"),
     log:
         f"{RESULTS}/logs/warm/{{kind}}.log",
-    params:
-        sources=lambda wildcards: digest_numbers(wildcards.kind),
     conda:
         "../envs/orthocut.yaml"
+    params:
+        sources=lambda wildcards: digest_numbers(wildcards.kind),
     script:
         "../scripts/warm.py"

@@ -8,14 +8,14 @@ rule simulate:
         run=f"{RESULTS}/runs/{{case_id}}.nc",
     log:
         f"{RESULTS}/logs/simulate/{{case_id}}.log",
-    params:
-        case=lambda wildcards: canonical(PLAN.cases[wildcards.case_id]),
-        sources=lambda wildcards: digest_numbers(PLAN.cases[wildcards.case_id].kind),
     priority: 1
+    conda:
+        "../envs/orthocut.yaml"
     resources:
         mem_mb=1500,
         runtime=lambda wildcards: 10 + int(PLAN.seconds(wildcards.case_id) / 20),
-    conda:
-        "../envs/orthocut.yaml"
+    params:
+        case=lambda wildcards: canonical(PLAN.cases[wildcards.case_id]),
+        sources=lambda wildcards: digest_numbers(PLAN.cases[wildcards.case_id].kind),
     script:
         "../scripts/simulate.py"
