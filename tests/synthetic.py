@@ -25,7 +25,7 @@ def _finish(case, data, wall_time):
 
 
 def mpm_run(snapshots=4, wall_time=3.5, force=None, touching=0, **values):
-    """A cut whose chip is the material above y = 0, turned up along a circle behind the tool."""
+    """A cut whose chip is the material above y = 0, turned up along the rake face."""
     case = make_case("mpm_cutting", **{"numerics.points_per_depth": 4, **values})
     h, alpha = case.cut_depth, case.tool.rake_angle
     travel = np.linspace(0, case.travel_ratio * h, SAMPLES)
@@ -69,11 +69,10 @@ def _points(case, snapshots, travel, time):
     x, y, stress, deformation = np.tile(x0, (snapshots, 1)), np.tile(y0, (snapshots, 1)), np.zeros(shape), []
     for row, frame in enumerate(frames):
         tip = length - travel[frame]
-        radius = 5 * h
-        angle = np.where((y0 > 0) & (x0 > tip), (x0 - tip) / radius, 0.0)
-        chip = angle > 0
-        x[row, chip] = tip + (radius - y0[chip]) * np.sin(angle[chip])
-        y[row, chip] = radius - (radius - y0[chip]) * np.cos(angle[chip])
+        chip = (y0 > 0) & (x0 > tip)
+        angle = np.where(chip, 0.5 * math.pi - case.tool.rake_angle, 0.0)
+        x[row] = np.where(chip, tip + (x0 - tip) * np.cos(angle) - y0 * np.sin(angle), x0)
+        y[row] = np.where(chip, (x0 - tip) * np.sin(angle) + y0 * np.cos(angle), y0)
         stress[row] = 40e6 * np.exp(-np.hypot(x[row] - tip, y[row]) / (2 * h)) + 5e6 * chip
         cosine, sine = np.cos(angle), np.sin(angle)
         deformation.append(np.stack([cosine, -sine, sine, cosine], axis=-1))

@@ -2,7 +2,6 @@ import json
 
 import numpy as np
 import pytest
-import xarray as xr
 from synthetic import dem_cut_run, dem_test_run, make_case, mpm_run
 
 from orthocut.io import netcdf

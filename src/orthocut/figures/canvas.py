@@ -79,4 +79,6 @@ def line(ax: Axes, run: xr.Dataset, x: str, y: str, sign: float = 1.0, **style):
 
 def nothing(ax: Axes, text: str = "no finished run") -> None:
     """Say in an empty panel that there is nothing to draw."""
+    ax.set_xticks([])
+    ax.set_yticks([])
     ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center", color="0.5")

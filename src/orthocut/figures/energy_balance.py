@@ -8,7 +8,6 @@ from matplotlib.figure import Figure
 
 from orthocut.figures.canvas import cases, name_axes, nothing, page, styled, values
 from orthocut.figures.palette import QUANTITY
-from orthocut.variables import VARIABLES
 
 CAPTION = (
     "Energies of a cut over the travel of the tool, stacked, against the work of the tool. What is missing to the line "
@@ -33,24 +32,23 @@ def draw(dataset: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_energies(ax, run: xr.Dataset) -> dict:
-    """Stack the energies of one run; return its legend entries by name."""
-    travel = values(run, "tool_travel")
-    order = np.argsort(travel, kind="stable")
-    order = order[np.isfinite(travel[order])]
+def draw_energies(ax, run: xr.Dataset, along: str = "tool_travel") -> dict:
+    """Stack the energies of one run over a history; return its legend entries by name."""
+    travel = values(run, along)
+    order = np.flatnonzero(np.isfinite(travel))
     names = [name for name in ENERGIES if np.isfinite(values(run, name)).any() and np.nanmax(np.abs(run[name])) > 0]
     handles = {}
     top = np.zeros(order.size)
     for name in names:
         raised = top + np.nan_to_num(values(run, name)[order])
-        handles[VARIABLES[name].long_name] = ax.fill_between(
+        handles[name.removeprefix("energy_")] = ax.fill_between(
             travel[order], top, raised, color=QUANTITY[name], lw=0, alpha=0.85
         )
         top = raised
     work = values(run, "work_tool")[order]
-    handles[VARIABLES["work_tool"].long_name] = ax.plot(travel[order], work, color=QUANTITY["work_tool"], lw=1.3)[0]
-    name_axes(ax, "tool_travel", "energy [J/m]")
-    ax.set_xlim(0, travel[order].max() if order.size else 1)
+    handles["work of the tool"] = ax.plot(travel[order], work, color=QUANTITY["work_tool"], lw=1.3)[0]
+    name_axes(ax, along, "energy [J/m]")
+    ax.margins(x=0)
     closure = float(values(run, "energy_closure")) if "energy_closure" in run else np.nan
     if not np.isfinite(closure) and order.size and work[-1] != 0:
         closure = 100 * (work[-1] - top[-1]) / work[-1]

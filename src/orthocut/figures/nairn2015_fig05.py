@@ -45,7 +45,7 @@ def draw(dataset: xr.Dataset) -> Figure:
         points = draw_points(ax, run, index, 2e-6 * case.material.stress_yield)
         frame(ax, (low[0], high[0]), (low[1], high[1]))
         if index < tips.size:
-            draw_tool(ax, case.tool, float(tips[index]), 0.0, high[1])
+            draw_tool(ax, case.tool, float(tips[index]), 0.0, high[0] - low[0])
         ax.set_title(f"$t$ = {times[index]:.2f} ms" if index < times.size else "", loc="left")
         ax.label_outer()
     for ax in panels.flat[len(chosen) :]:

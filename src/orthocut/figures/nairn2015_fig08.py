@@ -57,9 +57,13 @@ def draw(dataset: xr.Dataset) -> Figure:
     lines = [Line2D([], [], color="0.25", ls=style, label=text) for style, text in MODELS]
     states = [
         Line2D([], [], color="0.25", marker="o", mfc=face, ls="", label=text)
-        for face, text in (("white", "touching"), ("0.25", "bending"))
+        for face, text in (("white", "run, touching"), ("0.25", "run, bending"))
     ]
-    figure.legend(handles=marks + states + lines, loc="outside upper center", ncols=3, columnspacing=1.2)
+    columns = (marks, states, lines)
+    rows = max(map(len, columns))
+    blank = Line2D([], [], ls="", label=" ")
+    handles = [entry for column in columns for entry in column + [blank] * (rows - len(column))]
+    figure.legend(handles=handles, loc="outside upper center", ncols=3, columnspacing=1.2)
     return figure
 
 

@@ -10,31 +10,38 @@ from matplotlib.figure import Figure
 
 from orthocut.figures.canvas import STYLE
 
-_METADATA = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None}}
+_METADATA = {
+    "png": {"Software": None},
+    "svg": {"Date": None, "Creator": None},
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+}
 
 
-def save(figure: Figure, stem: str | Path) -> list[Path]:
-    """Write ``stem.png`` and ``stem.svg`` under temporary names, then rename them.
+def save(figure: Figure, target: str | Path) -> list[Path]:
+    """Write a figure under temporary names, then rename them.
 
     Parameters
     ----------
     figure : Figure
         What to write.
-    stem : str or Path
-        File name without its ending; folders are made.
+    target : str or Path
+        A file that ends in .png, .svg or .pdf, or a name without such an ending: then a PNG and an SVG. Folders are
+        made.
 
     Returns
     -------
     list of Path
         The files.
     """
-    stem = Path(stem)
-    stem.parent.mkdir(parents=True, exist_ok=True)
-    paths = [stem.with_name(f"{stem.name}.{form}") for form in _METADATA]
+    target = Path(target)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    form = target.suffix.lower().removeprefix(".")
+    paths = [target] if form in _METADATA else [target.with_name(f"{target.name}.{form}") for form in ("png", "svg")]
     parts = [path.with_name(f".{path.name}.{os.getpid()}.part") for path in paths]
     try:
         with matplotlib.style.context(["default", STYLE]):
-            for part, form in zip(parts, _METADATA, strict=True):
+            for part, path in zip(parts, paths, strict=True):
+                form = path.suffix.lower().removeprefix(".")
                 figure.savefig(part, format=form, metadata=_METADATA[form])
         for part, path in zip(parts, paths, strict=True):
             os.replace(part, path)

@@ -40,7 +40,13 @@ def draw_points(ax: Axes, run: xr.Dataset, snapshot: int, stress_max: float) -> 
     """Material points as deformed parallelograms, shaded from 0 to `stress_max` [MPa]."""
     corners, stress = parallelograms(run, snapshot)
     points = PolyCollection(
-        corners, array=stress, cmap=STRESS_MAP, norm=Normalize(0, stress_max), edgecolors="none", antialiased=False
+        corners,
+        array=stress,
+        cmap=STRESS_MAP,
+        norm=Normalize(0, stress_max),
+        edgecolors="none",
+        antialiased=False,
+        zorder=2,
     )
     points.set_rasterized(True)
     ax.add_collection(points, autolim=False)
@@ -58,10 +64,12 @@ def wedge(tool: Tool, tip_x: float, tip_y: float, size: float) -> np.ndarray:
 
 
 def draw_tool(ax: Axes, tool: Tool, tip_x: float, tip_y: float, size: float, filled: bool = True) -> None:
-    """The wedge, filled or outlined; nothing if its place is not known."""
+    """The wedge, filled and behind the material, or outlined before it; nothing if its place is not known."""
     if math.isfinite(tip_x):
-        style = {"fc": TOOL_FACE, "ec": TOOL_EDGE} if filled else {"fc": "none", "ec": TOOL_EDGE, "lw": 1.2}
-        ax.add_patch(Polygon(wedge(tool, tip_x, tip_y, size), closed=True, zorder=3, **style))
+        style = {"fc": TOOL_FACE, "ec": TOOL_EDGE, "zorder": 1.5}
+        if not filled:
+            style = {"fc": "none", "ec": TOOL_EDGE, "lw": 1.2, "zorder": 3}
+        ax.add_patch(Polygon(wedge(tool, tip_x, tip_y, size), closed=True, **style))
 
 
 def draw_discs(ax: Axes, run: xr.Dataset, snapshot: int, face=DISC_FACE, edge=DISC_EDGE, width=0.15) -> None:

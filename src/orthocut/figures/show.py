@@ -61,10 +61,11 @@ def _curves(ax, run: xr.Dataset) -> None:
 
 
 def _energies(ax, run: xr.Dataset) -> None:
-    if not np.isfinite(values(run, "work_tool")).any() or not np.isfinite(values(run, "tool_travel")).any():
+    along = [name for name in ("tool_travel", "strain_axial", "time") if np.isfinite(values(run, name)).any()]
+    if not along or not np.isfinite(values(run, "work_tool")).any():
         nothing(ax, "no energies")
         return
-    handles = draw_energies(ax, run)
+    handles = draw_energies(ax, run, along[0])
     ax.legend(handles.values(), handles.keys(), loc="upper left", fontsize=6)
 
 
@@ -78,8 +79,9 @@ def _points(ax, run: xr.Dataset, case) -> None:
     frame(ax, (low[0] - margin, high[0]), (low[1] - margin, high[1]))
     tips = np.atleast_1d(values(run, "tool_tip_snapshot"))
     if last < tips.size:
-        draw_tool(ax, case.tool, float(tips[last]), 0.0, high[1])
-    ax.figure.colorbar(points, ax=ax, shrink=0.7, aspect=25, extend="max").set_label(label("point_stress"))
+        draw_tool(ax, case.tool, float(tips[last]), 0.0, high[0] - low[0] + margin)
+    bar = ax.figure.colorbar(points, cax=ax.inset_axes((1.02, 0.05, 0.02, 0.9)), extend="max")
+    bar.set_label(label("point_stress"))
 
 
 def _discs(ax, run: xr.Dataset, case) -> None:

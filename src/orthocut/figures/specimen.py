@@ -36,7 +36,7 @@ def magnified(dataset: xr.Dataset, paint, factor: float = 12.0) -> Figure:
         Number of mean disc diameters along the sides of the magnified part.
     """
     runs = cases(dataset, "disc_x")
-    figure = page(3.4 if runs else 2.0, PAGE if runs else 3.4)
+    figure = page(3.4, 5.4)
     if not runs:
         nothing(figure.subplots())
         return figure
@@ -134,6 +134,6 @@ def _picture(ax: Axes, run: xr.Dataset) -> None:
 
 def draw_forces(ax: Axes, run: xr.Dataset, **style) -> None:
     """Cutting and thrust force of a cut over the travel of the tool."""
-    for name, text in (("force_cutting", "$F_c$, main"), ("force_thrust", "$F_t$, thrust")):
+    for name, text in (("force_cutting", "$F_c$"), ("force_thrust", "$F_t$")):
         line(ax, run, "tool_travel", name, color=QUANTITY[name], label=text, **style)
     name_axes(ax, "tool_travel", "force on the tool [N/mm]")

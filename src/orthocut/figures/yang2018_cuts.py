@@ -37,9 +37,9 @@ def draw(dataset: xr.Dataset) -> Figure:
         _forces(curves, runs)
         depth, grooved = key
         curves.set_title(
-            f"$h$ = {depth * 1e3:.3g} mm, {'grooved' if grooved else 'regular'}, {len(runs)} "
-            f"replicate{'s' if len(runs) > 1 else ''}",
-            loc="right",
+            f"$h$ = {depth * 1e3:.3g} mm, {'grooved' if grooved else 'regular'}, "
+            f"{len(runs)} replicate{'s' if len(runs) > 1 else ''}",
+            loc="left",
         )
     if not rows:
         nothing(panels[0, 0])
@@ -77,4 +77,4 @@ def _forces(ax, runs: list[xr.Dataset]) -> None:
             ax.axhline(np.nanmean(means), color=QUANTITY[name], ls=":", lw=1.0)
     ax.axhline(0, color="0.4", lw=0.6)
     ax.set_xlim(0, max(np.nanmax(values(run, "tool_travel")) for run in runs))
-    ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=2, borderaxespad=0)
+    ax.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2, borderaxespad=0, columnspacing=1.0)

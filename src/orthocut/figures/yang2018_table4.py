@@ -17,8 +17,8 @@ from orthocut.figures.tables import Table
 from orthocut.io.collect import case_of
 
 CAPTION = (
-    "Mean cutting and thrust force of four cuts for a millimetre of width: replicates (small), their mean (large) and "
-    "the replicates of Yang et al. (2018), Table 4 (crosses)."
+    "Mean cutting and thrust force of four cuts for a millimetre of width: replicates (dots) and those of "
+    "Yang et al. (2018), Table 4 (crosses), with their means (lines)."
 )
 PAPER = {
     (0.1, False): {"force_cutting": (14.15, 15.40, 15.38), "force_thrust": (10.29, 9.27, 10.38)},
@@ -55,18 +55,20 @@ def draw(dataset: xr.Dataset) -> Figure:
             ax.plot([column + 0.15] * len(paper), paper, "x", color=BLACK)
             ax.plot([column - 0.15] * len(ours), ours, "o", color=QUANTITY[name], ms=3, alpha=0.6, mew=0)
             if ours:
-                ax.plot(column - 0.15, np.mean(ours), "D", color=QUANTITY[name], ms=5)
+                ax.hlines(np.mean(ours), column - 0.3, column, color=QUANTITY[name])
+            if paper:
+                ax.hlines(np.mean(paper), column, column + 0.3, color=BLACK)
         ax.set_xticks(
             range(len(cuts)), [f"{depth:g} mm\n{'grooved' if grooved else 'regular'}" for depth, grooved in cuts]
         )
-        ax.set_xlabel("depth of cut [mm], surface")
+        ax.set_xlabel("depth of cut, surface")
         ax.set_ylabel(f"{text} [N/mm]")
         ax.set_ylim(bottom=min(0, ax.get_ylim()[0]))
         ax.grid(axis="x", visible=False)
         handles = [
             Line2D([], [], color=QUANTITY[name], marker="o", ms=3, ls="", label="replicate"),
-            Line2D([], [], color=QUANTITY[name], marker="D", ms=5, ls="", label="mean"),
-            Line2D([], [], color=BLACK, marker="x", ls="", label="Yang et al."),
+            Line2D([], [], color=QUANTITY[name], label="mean"),
+            Line2D([], [], color=BLACK, marker="x", label="Yang et al."),
         ]
         ax.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
     return figure

@@ -1,0 +1,121 @@
+"""Every figure from synthetic runs: labels with units, holes, whole files, the same bytes again."""
+
+import re
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+from synthetic import dem_cut_run, dem_test_run, failed, mpm_run
+
+from orthocut.figures import registry
+from orthocut.figures.save import save
+from orthocut.io.collect import collect
+
+COARSE = {"numerics.points_per_depth": 3}
+BIG = {"packing.radius_min": "40 um"}
+UNITLESS = {"depth of cut, surface"}
+
+
+def runs_for(name):
+    if name in ("nairn2015_fig04", "nairn2015_fig05", "energy_balance", "show"):
+        return [mpm_run(snapshots=2, **COARSE)]
+    if name == "nairn2015_fig08":
+        return [
+            mpm_run(snapshots=0, cut_depth=depth, rake_angle=rake, touching=touching, modulus_tangent="0 MPa")
+            for rake in ("15 deg", "30 deg")
+            for depth, touching in (("0.5 mm", 1), ("2.5 mm", 0))
+        ]
+    if name == "yang2018_fig08":
+        return [dem_test_run("dem_compression", **BIG), dem_test_run("dem_compression", **BIG, **{"packing.seed": 2})]
+    if name in ("yang2018_fig05", "yang2018_fig06", "yang2018_fig07"):
+        return [dem_test_run("dem_tension", **BIG), dem_test_run("dem_tension", cracks=9, **BIG, **{"packing.seed": 2})]
+    if name == "nairn2015_fig07":
+        return []
+    return [dem_cut_run(**BIG), dem_cut_run(cracks=30, **BIG, **{"packing.seed": 2, "grooves.width": "0.06 mm"})]
+
+
+def drawn_axes(figure):
+    return [ax for ax in figure.axes if ax.get_visible() and ax.axison]
+
+
+@pytest.mark.parametrize("name", registry.FIGURES)
+def test_axes_are_named_with_units(name):
+    figure = registry.draw(name, collect(runs_for(name)))
+    labels = [text for ax in drawn_axes(figure) for text in (ax.get_xlabel(), ax.get_ylabel()) if text]
+    assert len(labels) >= 2
+    for text in labels:
+        assert re.search(r"\[.+\]$", text) or text in UNITLESS, text
+    assert len(registry.caption(name)) > 40
+
+
+@pytest.mark.parametrize("name", sorted(set(registry.FIGURES) - registry.WITHOUT_RUNS))
+def test_failed_and_missing_runs_are_holes(name):
+    good = runs_for(name)
+    other = {"nairn2015_fig08": mpm_run(snapshots=0, cut_depth="4 mm")}.get(name, failed(good[0]))
+    some = collect([failed(other), *good])
+    none = collect([failed(run) for run in good])
+    for dataset in (some, none, collect([])):
+        figure = registry.draw(name, dataset)
+        figure.draw_without_rendering()
+
+
+@pytest.mark.parametrize("name", ["nairn2015_fig05", "nairn2015_fig07", "nairn2015_fig08", "yang2018_fig11"])
+def test_files_are_whole_and_the_same_again(name, tmp_path):
+    dataset = collect(runs_for(name))
+    first = save(registry.draw(name, dataset), tmp_path / "a" / name)
+    again = save(registry.draw(name, dataset), tmp_path / "b" / name)
+    assert [path.name for path in first] == [f"{name}.png", f"{name}.svg"]
+    for one, two in zip(first, again, strict=True):
+        assert one.read_bytes() == two.read_bytes()
+    assert sorted(path.name for path in (tmp_path / "a").iterdir()) == [f"{name}.png", f"{name}.svg"]
+    words = "".join(ElementTree.parse(first[1]).getroot().itertext())
+    assert "[" in words
+
+
+def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
+    figure = registry.draw("nairn2015_fig07")
+    png, svg = save(figure, tmp_path / "figure")
+    before = png.read_bytes(), svg.read_bytes()
+    whole = type(figure).savefig
+
+    def break_in_the_middle(self, path, **options):
+        whole(self, path, **options)
+        if options["format"] == "svg":
+            raise OSError("disk full")
+
+    monkeypatch.setattr(type(figure), "savefig", break_in_the_middle)
+    with pytest.raises(OSError, match="disk full"):
+        save(figure, tmp_path / "figure")
+    assert (png.read_bytes(), svg.read_bytes()) == before
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+@pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
+def test_an_ending_picks_the_kind_of_picture(ending, tmp_path):
+    target = tmp_path / f"figure.{ending}"
+    assert save(registry.draw("nairn2015_fig07"), target) == [target]
+    assert list(tmp_path.iterdir()) == [target]
+
+
+@pytest.mark.parametrize(
+    "run",
+    [mpm_run(snapshots=1, **COARSE), dem_cut_run(**BIG), dem_test_run("dem_tension", **BIG), mpm_run(snapshots=0)],
+    ids=["mpm", "cut", "tension", "no snapshots"],
+)
+def test_a_single_run_can_be_shown(run):
+    registry.draw("show", run).draw_without_rendering()
+
+
+def test_force_and_depth_are_dimensionless_in_fig_8():
+    dataset = collect(runs_for("nairn2015_fig08"))
+    ax = registry.draw("nairn2015_fig08", dataset).axes[0]
+    marks = sorted((float(bar.lines[0].get_xdata()[0]), float(bar.lines[0].get_ydata()[0])) for bar in ax.containers)
+    wanted = sorted(
+        zip(139.23 * dataset["cut_depth"].values, dataset["force_cutting_mean"].values / 2000.0, strict=True)
+    )
+    np.testing.assert_allclose(marks, wanted, rtol=1e-4)
+
+
+def test_unknown_figure_is_named_with_the_known_ones():
+    with pytest.raises(KeyError, match="nairn2015_fig04"):
+        registry.draw("figure_of_speech")

@@ -1,0 +1,65 @@
+import csv
+import math
+
+import pytest
+from synthetic import dem_cut_run, failed, mpm_run
+
+from orthocut.figures import registry, tables
+from orthocut.figures.yang2018_table4 import PAPER
+from orthocut.io.collect import collect
+
+BIG = {"packing.radius_min": "40 um"}
+
+
+def test_both_files_hold_the_same_rows(tmp_path):
+    table = tables.Table("A title", ["depth [mm]", "force [N/mm]"], [["0.1", 1.23456789], ["total", math.nan]])
+    paths = tables.write(table, tmp_path / "table")
+    assert [path.name for path in paths] == ["table.csv", "table.md"]
+    assert list(csv.reader(paths[0].open())) == [["depth [mm]", "force [N/mm]"], ["0.1", "1.23457"], ["total", ""]]
+    assert paths[1].read_text().splitlines() == [
+        "# A title",
+        "",
+        "| depth [mm] | force [N/mm] |",
+        "| --- | --- |",
+        "| 0.1 | 1.235 |",
+        "| total | - |",
+    ]
+
+
+def test_run_times_list_each_case_once_and_sum_up():
+    cut, other = mpm_run(snapshots=0, wall_time=2.5), dem_cut_run(wall_time=4.0, **BIG)
+    table = tables.run_times([cut, other, collect([cut, other])])
+    times = {row[0]: row[2] for row in table.rows}
+    assert times[cut.attrs["case_id"]] == 2.5
+    assert times[other.attrs["case_id"]] == 4.0
+    assert table.rows[-1] == ["2 cases", "total", 6.5]
+
+
+def test_table_4_compares_means_of_replicates_with_the_paper():
+    runs = [dem_cut_run(**BIG, **{"packing.seed": seed}) for seed in (1, 2)]
+    lost = failed(dem_cut_run(**BIG, **{"packing.seed": 3}))
+    table = registry.tabulate("yang2018_table4", collect([*runs, lost]))
+    assert len(table.rows) == 8
+    row = next(row for row in table.rows if row[:3] == ["0.1", "regular", "cutting"])
+    mean = sum(float(run["force_cutting_mean"]) for run in runs) / 2 / 1e3
+    paper = sum(PAPER[0.1, False]["force_cutting"]) / 3
+    assert row[4] == pytest.approx(mean)
+    assert row[7] == pytest.approx(paper)
+    assert row[8] == pytest.approx(mean / paper)
+    assert math.isnan(table.rows[-1][4])
+
+
+def test_the_papers_means_are_those_it_states():
+    stated = {
+        (0.1, False): (14.98, 9.98),
+        (0.1, True): (2.05, 2.95),
+        (0.2, False): (17.70, 12.63),
+        (0.2, True): (3.52, 2.33),
+    }
+    for cut, means in stated.items():
+        found = [sum(PAPER[cut][name]) / 3 for name in ("force_cutting", "force_thrust")]
+        assert found == pytest.approx(means, abs=0.006)
+
+
+def test_figures_without_a_table_have_none():
+    assert registry.tabulate("nairn2015_fig04", collect([])) is None
