@@ -21,8 +21,8 @@ logger.info("", extra={"cases": PLAN.announcement()})
 
 
 wildcard_constraints:
-    case_id="[a-z]+(-[a-z]+)*-[0-9a-f]+",
-    figure="[a-z][a-z0-9_]*",
+    case_id="|".join(PLAN.cases) or "none",
+    figure="|".join(PLAN.figures) or "none",
 
 
 def runs_of(figure):

@@ -49,9 +49,6 @@ rule run_times:
         "../scripts/run_times.py"
 
 
-ruleorder: run_times > table
-
-
 rule figures:
     input:
         expand(f"{RESULTS}/figures/{{figure}}.{{form}}", figure=PLAN.figures, form=("png", "svg")),

@@ -1,0 +1,246 @@
+"""The command line: help, errors, pure JSON, no half files."""
+
+import json
+import math
+
+import pytest
+import xarray as xr
+from typer.testing import CliRunner
+
+from orthocut import run as run_module
+from orthocut.cli import app
+from orthocut.io.datasets import build
+from orthocut.io.netcdf import read
+from orthocut.measure.guard import Diverged
+
+VERBS = [
+    [],
+    ["run"],
+    ["show"],
+    ["bench"],
+    ["study"],
+    ["study", "list"],
+    ["study", "expand"],
+    ["study", "status"],
+    ["theory"],
+    ["theory", "touching"],
+    ["theory", "bending"],
+]
+
+
+def call(*arguments):
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+@pytest.fixture
+def simulated(monkeypatch, tmp_path):
+    """Replace the simulation by one that returns its inputs at once; return the cases it was given."""
+    seen = []
+
+    def simulate(case, progress=None):
+        seen.append(case)
+        scalars = {"force_cutting_mean": ((), case.cut_depth * 1e7), "energy_closure": ((), math.nan)}
+        dataset = build(
+            case, "fake", {**scalars, "force_cutting": (("time",), [1.0, 2.0])}, {"time": (("time",), [0, 1])}
+        )
+        dataset.attrs["wall_time_s"] = 0.5
+        return dataset
+
+    monkeypatch.setattr(run_module, "run_case", simulate)
+    monkeypatch.chdir(tmp_path)
+    return seen
+
+
+@pytest.mark.parametrize("verb", VERBS, ids=" ".join)
+def test_help(verb):
+    result = call(*verb, "--help")
+    assert result.exit_code == 0
+    assert "Usage: " in result.stdout
+    if verb not in ([], ["study"], ["theory"]):
+        assert "Example" in result.stdout
+        assert f"orthocut {' '.join(verb)}" in result.stdout
+
+
+def test_version():
+    assert call("--version").stdout.startswith("orthocut 0.")
+
+
+def test_run_sets_fields_writes_and_reports(simulated, tmp_path):
+    result = call(
+        "run", "mpm", "--set", "cut_depth=0.5 mm", "--set", "tool.friction=3e-1", "--output", "a/cut.nc", "--json"
+    )
+    assert result.exit_code == 0, result.stderr
+    report = json.loads(result.stdout)
+    assert report["results"] == {"force_cutting_mean": pytest.approx(5000.0), "energy_closure": None}
+    assert report["units"]["force_cutting_mean"] == "N/m"
+    assert (simulated[0].cut_depth, simulated[0].tool.friction) == (0.0005, 0.3)
+    dataset = read(tmp_path / "a" / "cut.nc")
+    assert dataset.attrs["case_id"] == report["case_id"]
+    assert [path.name for path in (tmp_path / "a").iterdir()] == ["cut.nc"]
+
+
+def test_run_reads_a_file_and_names_the_output_after_the_case(simulated, tmp_path):
+    (tmp_path / "case.yaml").write_text("kind: dem\ncut_depth: 0.1 mm\ngrooves: {width: 50 um}\n")
+    result = call("run", "case.yaml", "--set", "grooves.distance=0.1 mm")
+    assert result.exit_code == 0, result.stderr
+    assert "N/mm" in result.stdout
+    assert (simulated[0].grooves.width, simulated[0].grooves.distance) == (50e-6, 100e-6)
+    assert len(list(tmp_path.glob("dem-cutting-*.nc"))) == 1
+
+
+def test_run_replaces_its_own_result_but_nothing_else(simulated, tmp_path):
+    assert call("run", "mpm", "--output", "cut.nc").exit_code == 0
+    assert call("run", "mpm", "--output", "cut.nc").exit_code == 0
+    before = (tmp_path / "cut.nc").read_bytes()
+    other = call("run", "mpm", "--set", "cut_depth=1 mm", "--output", "cut.nc")
+    assert other.exit_code == 2
+    assert "does not hold this case" in other.stderr
+    assert (tmp_path / "cut.nc").read_bytes() == before
+    (tmp_path / "notes.txt").write_text("precious")
+    assert call("run", "mpm", "--output", "notes.txt").exit_code == 2
+    assert (tmp_path / "notes.txt").read_text() == "precious"
+    assert call("run", "mpm", "--set", "cut_depth=1 mm", "--output", "cut.nc", "--force").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["run", "fem"], "fem: cannot be read"),
+        (
+            ["run", "mpm", "--set", "cut_depth=0.9"],
+            "cut_depth = 0.9: needs a unit, such as '0.02 mm' (allowed: 0.02 mm to 20 mm)",
+        ),
+        (
+            ["run", "mpm", "--set", "cut_depth=90 mm"],
+            "cut_depth = '90 mm': is out of range (allowed: 0.02 mm to 20 mm)",
+        ),
+        (["run", "mpm", "--set", "cut_depth"], "must read field=value"),
+        (["run", "mpm", "--set", "=3"], "must read field=value"),
+        (["run", "mpm", "--set", "rake=3 deg"], "mpm_cutting has no such field"),
+        (
+            ["run", "mpm", "--set", "tool.friction=0.1", "--set", "friction=0.2"],
+            "tool.friction is already set by 'tool.friction=0.1'",
+        ),
+        (["run", "mpm", "--set", "tool={a: [}"], "--set tool, line 1"),
+        (["run", "mpm", "--output", "."], "is a folder"),
+        (["run", "dem", "--set", "grooves=3"], "grooves = 3"),
+        (["show", "none.nc"], "none.nc: cannot be read: no such file"),
+        (["show", "none.nc", "--output", "a.doc"], "allowed: .png, .svg, .pdf"),
+        (["study", "expand", "none.yaml"], "none.yaml: cannot be read: No such file"),
+        (["study", "list", "nowhere"], "nowhere: is not a folder"),
+        (["theory", "touching", "--cut-depth", "0.9"], "cut_depth = '0.9': has no unit"),
+        (["theory", "bending", "--force-rubbing", "1 mm"], "--force-rubbing = '1 mm': is not a quantity in N/m"),
+        (["theory", "bending", "--form", "mine"], "--form = 'mine': must be one of consistent, paper"),
+        (["theory", "bending", "--set", "friction=0.1"], "has an option of its own, --friction"),
+        (["bench", "fem"], "method = 'fem': must be one of mpm, dem"),
+    ],
+)
+def test_bad_input_is_one_clear_line_and_exit_code_2(simulated, arguments, words):
+    result = call(*arguments)
+    assert result.exit_code == 2, result.output
+    assert words in result.stderr
+    assert result.stderr.startswith("error: ")
+    assert "Traceback" not in result.output
+    assert result.stdout == ""
+    assert not simulated
+
+
+def test_unknown_options_exit_with_2():
+    assert call("run", "mpm", "--nonsense").exit_code == 2
+
+
+@pytest.mark.parametrize(
+    ("error", "code", "words"),
+    [
+        (KeyboardInterrupt(), 130, "interrupted, no file was written"),
+        (Diverged("energy is not finite\nat 3 ms"), 1, "error: energy is not finite at 3 ms"),
+        (OSError(28, "No space left on device"), 1, "No space left"),
+    ],
+)
+def test_failures_leave_no_file(monkeypatch, tmp_path, error, code, words):
+    def fails(case, progress=None):
+        raise error
+
+    monkeypatch.setattr(run_module, "run_case", fails)
+    result = call("run", "mpm", "--output", tmp_path / "cut.nc", "--json")
+    assert result.exit_code == code
+    assert words in result.stderr
+    assert result.stdout == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_interrupt_while_writing_leaves_no_file(simulated, monkeypatch, tmp_path):
+    def stops(self, path, **options):
+        path.write_bytes(b"half")
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(xr.Dataset, "to_netcdf", stops)
+    assert call("run", "mpm", "--output", tmp_path / "cut.nc").exit_code == 130
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_theory_touching_gives_the_known_force():
+    report = json.loads(call("theory", "touching", "--rake-angle", "30 deg", "--cut-depth", "0.9 mm", "--json").stdout)
+    assert report["force_over_toughness"] == pytest.approx(8.5, rel=1e-6)
+    assert report["angle_shear"] == pytest.approx(math.pi / 3, rel=1e-6)
+    assert set(report["units"]) == set(report) - {"model", "reason", "units"}
+
+
+def test_theory_takes_any_field_and_prints_words():
+    base = ["theory", "bending", "--rake-angle", "30 deg", "--cut-depth", "1 mm"]
+    soft, hard = (
+        json.loads(call(*base, "--set", f"stress_yield={stress}", "--json").stdout)["force_cutting"]
+        for stress in ("25 MPa", "50 MPa")
+    )
+    assert soft != hard
+    assert "curvature" in call(*base).stdout
+
+
+def test_theory_without_a_solution_says_why():
+    result = call("theory", "bending", "--rake-angle", "10 deg", "--friction", "0.6", "--json")
+    assert result.exit_code == 1
+    assert json.loads(result.stdout)["force_over_toughness"] is None
+    assert "does not lift the chip" in result.stderr
+
+
+STUDY = """\
+title: two sweeps
+sweeps:
+  a: {base: {kind: mpm}, axes: {product: {cut_depth: [0.9 mm, 1 mm]}}}
+  b: {base: {kind: mpm}}
+figures: {}
+"""
+
+
+def test_study_expand_and_status(simulated, tmp_path):
+    (tmp_path / "s.yaml").write_text(STUDY)
+    report = json.loads(call("study", "expand", "s.yaml", "--json").stdout)
+    assert [case["sweeps"] for case in report["cases"]] == [["a", "b"], ["a"]]
+    first = report["cases"][0]["case_id"]
+    assert call("run", "mpm", "--output", f"results/runs/{first}.nc").exit_code == 0
+    status = json.loads(call("study", "status", "s.yaml", "--json").stdout)
+    assert status["counts"] == {"done": 1, "out of date": 0, "missing": 1}
+    with xr.open_dataset(f"results/runs/{first}.nc") as dataset:
+        stale = dataset.load().assign_attrs(source_digest="old")
+    stale.to_netcdf(f"results/runs/{first}.nc")
+    status = json.loads(call("study", "status", "s.yaml", "--json").stdout)
+    assert status["counts"] == {"done": 0, "out of date": 1, "missing": 1}
+    assert "out of date" in call("study", "status", "s.yaml").stdout
+
+
+def test_study_list(simulated, tmp_path):
+    (tmp_path / "s.yaml").write_text(STUDY)
+    report = json.loads(call("study", "list", tmp_path, "--json").stdout)
+    assert report == {"studies": [{"name": "s", "title": "two sweeps", "cases": 2, "figures": []}]}
+
+
+@pytest.mark.parametrize(("method", "name"), [("mpm", "ns_per_point_step"), ("dem", "ns_per_bond_step")])
+def test_bench_prints_one_object(monkeypatch, method, name):
+    import sys
+    import types
+
+    module = types.ModuleType(f"orthocut.experiments.speed_{method}")
+    setattr(module, f"bench_{method}", lambda: {name: 30.0, "repeats": 3})
+    monkeypatch.setitem(sys.modules, module.__name__, module)
+    assert json.loads(call("bench", method, "--json").stdout)[name] == 30.0
+    assert name in call("bench", method).stdout
