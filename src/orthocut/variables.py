@@ -117,6 +117,7 @@ VARIABLES: dict[str, Variable] = {
     "energy_damping": Variable("E_{damp}", "J/m", "energy removed by damping"),
     "energy_residual": Variable("E_{res}", "J/m", "work of the tool not accounted for"),
     "strain_axial": Variable(r"\varepsilon", "1", "axial strain", "%", 100.0),
+    "strain_gauge": Variable(r"\varepsilon_g", "1", "axial strain in the measurement region", "%", 100.0),
     "strain_lateral": Variable(r"\varepsilon_{lat}", "1", "lateral strain", "%", 100.0),
     "stress_axial": Variable(r"\sigma", "Pa", "axial stress in the measurement region", *_MPA),
     "stress_grip": Variable(r"\sigma_{grip}", "Pa", "axial stress from the grip reaction", *_MPA),
@@ -130,6 +131,8 @@ VARIABLES: dict[str, Variable] = {
     "force_thrust_error": Variable(r"\Delta F_t", "N/m", "standard error of the mean thrust force", *_N_MM),
     "force_cutting_peak": Variable(r"F_{c,max}", "N/m", "peak cutting force", *_N_MM),
     "force_thrust_peak": Variable(r"F_{t,max}", "N/m", "peak thrust force", *_N_MM),
+    "force_cutting_rms": Variable(r"F_{c,rms}", "N/m", "root mean square of the cutting force", *_N_MM),
+    "force_thrust_rms": Variable(r"F_{t,rms}", "N/m", "root mean square of the thrust force", *_N_MM),
     "force_cutting_drift": Variable("", "1", "drift of the cutting force over the window, over its mean"),
     "crack_gap_mean": Variable("g", "m", "mean distance from tool tip to crack tip", *_MM),
     "touching": Variable("", "1", "whether the tool touches the crack tip (1) or the chip bends ahead of it (0)"),
@@ -138,6 +141,15 @@ VARIABLES: dict[str, Variable] = {
     "modulus_young": Variable("E", "Pa", "Young's modulus", "GPa", 1e-9),
     "ratio_poisson": Variable(r"\nu", "1", "Poisson's ratio"),
     "strength_ultimate": Variable(r"\sigma_u", "Pa", "largest axial stress", *_MPA),
+    "strain_peak": Variable(r"\varepsilon_u", "1", "axial strain at the largest stress", "%", 100.0),
+    "cracks_tension_total": Variable("N_t", "1", "number of elements broken in tension at the end"),
+    "cracks_shear_total": Variable("N_s", "1", "number of elements broken in shear at the end"),
+    "disc_count": Variable("N", "1", "number of discs of the packing"),
+    "bond_count": Variable("N_b", "1", "number of joints"),
+    "pressure_reached": Variable("p/E", "1", "pressure of the packing over contact modulus, as reached"),
+    "porosity": Variable("n", "1", "porosity of the packing"),
+    "coordination": Variable("z", "1", "mean number of contacts of a disc"),
+    "floaters": Variable("N_f", "1", "number of discs with fewer than three contacts"),
     "damage_depth": Variable("d", "m", "depth of the deepest crack below the cut", *_MM),
     # material points and discs in snapshots
     "time_snapshot": Variable("t", "s", "time of the snapshot", *_MS),
@@ -159,6 +171,7 @@ VARIABLES: dict[str, Variable] = {
     "crack_normal": Variable(r"\theta", "rad", "direction of the crack normal to the x axis", *_DEG),
     "crack_time": Variable("t", "s", "time of the crack", *_MS),
     "crack_mode": Variable("", "1", "mode of the crack: 0 tension, 1 shear"),
+    "crack_bond": Variable("b", "1", "index of the joint of the crack"),
 }
 
 

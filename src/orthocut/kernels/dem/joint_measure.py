@@ -90,17 +90,22 @@ def measure_joints(force_x, force_y, moment, intact, joints, position, law):
 
 
 @jit
-def measure_contacts(contacts, position, radius, modulus, stiffness_ratio):
-    """Elastic energy of all linear contacts [J/m]."""
+def measure_contacts(force_x, force_y, contacts, position, radius, modulus, stiffness_ratio):
+    """Fill the forces on the first discs of all linear contacts [N/m]; return their elastic energy [J/m]."""
     total = 0.0
     for m in range(radius.size):
         for c in range(contacts.start[m], contacts.start[m + 1]):
             n = contacts.second[c]
             dx = position[n * ROW] - position[m * ROW]
             dy = position[n * ROW + 1] - position[m * ROW + 1]
-            gap = (dx * dx + dy * dy) ** 0.5 - contacts.distance[c]
+            length = (dx * dx + dy * dy) ** 0.5
+            gap = length - contacts.distance[c]
+            force_x[c] = 0.0
+            force_y[c] = 0.0
             if gap < 0.0:
                 stiffness = 2.0 * min(radius[m], radius[n]) / (radius[m] + radius[n]) * modulus
                 shear = contacts.shear[c]
+                force_x[c] = (stiffness * gap * dx + shear * dy) / length
+                force_y[c] = (stiffness * gap * dy - shear * dx) / length
                 total += 0.5 * (stiffness * gap * gap + shear * shear * stiffness_ratio / stiffness)
     return total

@@ -1,0 +1,173 @@
+"""Orthogonal cut of a block of bonded discs by a rigid tool (Yang et al. 2018, section 4).
+
+The block stands on y = 0 with its left side at x = 0; both are fixed. The tool enters from the free right side and moves
+towards -x, its tip at the height of the block less the depth of cut.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from orthocut.dem.packing import PackedDiscs, pack
+from orthocut.dem.setup import build, wall
+from orthocut.dem.state import Scene
+from orthocut.experiments.dem_run import closure, crack_data, energy_data, packing_data, proceed, timing
+from orthocut.experiments.dem_specimen import Progress
+from orthocut.io.datasets import build as build_dataset
+from orthocut.kernels.dem.layout import TIP_X, WALL_PEAK_X, WALL_PEAK_Y, WALL_SUM_X, WALL_SUM_Y
+from orthocut.measure.averages import mean_and_error
+from orthocut.measure.dem_cracks import count_cracks, cracks
+from orthocut.measure.dem_energy import Energies, energies, forces
+from orthocut.params.dem import DemCutting
+
+SAMPLES = 500
+"""Intervals of the history; forces are means over all steps of an interval."""
+SNAPSHOTS = 5
+"""Snapshots, the first before the cut, the last at its end."""
+
+
+class Sample(NamedTuple):
+    """One row of the history."""
+
+    time: float
+    tool_travel: float
+    tool_tip: float
+    force_cutting: float
+    force_thrust: float
+    cracks_tension: int
+    cracks_shear: int
+    energies: Energies
+
+
+class Snapshot(NamedTuple):
+    """Discs and joints at an instant."""
+
+    time: float
+    tool_tip: float
+    places: np.ndarray
+    intact: np.ndarray
+
+
+def groove_edges(case: DemCutting) -> list[tuple[float, float]]:
+    """Left and right edges of all grooves [m], from the free side on; the first lies one clear distance inside."""
+    if case.grooves is None:
+        return []
+    pitch = case.grooves.width + case.grooves.distance
+    count = int((case.packing.width - case.grooves.distance) / pitch + 1e-9)
+    right = [case.packing.width - case.grooves.distance - k * pitch for k in range(count)]
+    return [(edge - case.grooves.width, edge) for edge in right]
+
+
+def select_discs(case: DemCutting, packed: PackedDiscs) -> np.ndarray:
+    """Discs that remain when the grooves, as deep as the cut, are made; bool, shape (n_discs,)."""
+    keep = np.ones(len(packed.x), dtype=bool)
+    for left, right in groove_edges(case):
+        above = packed.y > case.packing.height - case.cut_depth
+        keep &= ~((packed.x > left) & (packed.x < right) & above)
+    return keep
+
+
+def make_scene(case: DemCutting, packed: PackedDiscs) -> Scene:
+    """Block with fixed rows of discs at its left side and bottom, and the tool where its rake face just touches."""
+    keep = select_discs(case, packed)
+    x, y, radius = packed.x[keep], packed.y[keep], packed.radius[keep]
+    row = 0.5 * float(radius.min())
+    fixed = np.flatnonzero((x - radius < row) | (y - radius < row))
+
+    tool, tip_y = case.tool, case.packing.height - case.cut_depth
+    cosine, sine = math.cos(tool.rake_angle), math.sin(tool.rake_angle)
+    reached = y > tip_y - radius
+    tip_x = float(np.max((x + (radius - sine * (y - tip_y)) / cosine)[reached]))
+    rake = (-cosine, sine)
+    clearance = (math.sin(tool.clearance_angle), -math.cos(tool.clearance_angle))
+    wedge = wall((tip_x, tip_y), (rake, clearance), (-case.cut_speed, 0.0), tool.friction, case.joint.modulus)
+    return build(x, y, radius, case.joint, walls=[wedge], driven=fixed, group=np.zeros(len(fixed), dtype=np.int64))
+
+
+def read_tool(scene: Scene, steps: int) -> tuple[float, float]:
+    """Mean cutting and thrust force over the last steps [N/m]: along the motion, and down into the block."""
+    row = scene.walls.rows[0]
+    cutting, thrust = row[WALL_SUM_X] / steps, row[WALL_SUM_Y] / steps
+    row[WALL_SUM_X] = row[WALL_SUM_Y] = 0.0
+    return float(cutting), float(thrust)
+
+
+def simulate(case: DemCutting, progress: Progress) -> xr.Dataset:
+    """Cut a block; see `orthocut.variables` for what the dataset holds."""
+    began, advancing = time.perf_counter(), 0.0
+    packed = pack(case.packing)
+    scene = make_scene(case, packed)
+    steps = math.ceil(case.travel / case.cut_speed / scene.time_step)
+    ends = [steps * (k + 1) // SAMPLES for k in range(SAMPLES)]
+    tip_start = float(scene.walls.rows[0, TIP_X])
+    start = energies(scene)
+    samples: list[Sample] = []
+    snapshots = [Snapshot(0.0, tip_start, scene.places.copy(), forces(scene).intact)]
+
+    for k, end in enumerate(ends):
+        ran = end - int(scene.clock[0])
+        resumed = time.perf_counter()
+        proceed(scene, ran)
+        advancing += time.perf_counter() - resumed
+        tip = float(scene.walls.rows[0, TIP_X])
+        found = forces(scene)
+        samples.append(
+            Sample(
+                scene.time, tip_start - tip, tip, *read_tool(scene, ran), *count_cracks(scene),
+                energies(scene, found.energy),
+            )  # fmt: skip
+        )
+        if (k + 1) * (SNAPSHOTS - 1) // SAMPLES == len(snapshots):
+            snapshots.append(Snapshot(scene.time, tip, scene.places.copy(), found.intact))
+        progress((k + 1) / SAMPLES)
+
+    dataset = build_dataset(
+        case, "Orthogonal cut of bonded discs", _data(case, packed, scene, samples, snapshots, start)
+    )
+    dataset.attrs.update(timing(time.perf_counter() - began, advancing, scene))
+    return dataset
+
+
+def _data(
+    case: DemCutting,
+    packed: PackedDiscs,
+    scene: Scene,
+    samples: list[Sample],
+    snapshots: list[Snapshot],
+    start: Energies,
+) -> dict[str, tuple[tuple[str, ...], Any]]:
+    """Histories, results, snapshots, cracks."""
+    column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
+    history = {**column, **energy_data([s.energies for s in samples], start)}
+    cutting, cutting_error = mean_and_error(column["force_cutting"])
+    thrust, thrust_error = mean_and_error(column["force_thrust"])
+    below = case.packing.height - case.cut_depth - cracks(scene).crack_y
+    tension, shear = count_cracks(scene)
+    tool = scene.walls.rows[0]
+    return {
+        **{name: (("sample",), values) for name, values in history.items()},
+        "force_cutting_mean": ((), cutting),
+        "force_cutting_error": ((), cutting_error),
+        "force_cutting_peak": ((), float(tool[WALL_PEAK_X])),
+        "force_cutting_rms": ((), float(np.sqrt(np.mean(column["force_cutting"] ** 2)))),
+        "force_thrust_mean": ((), thrust),
+        "force_thrust_error": ((), thrust_error),
+        "force_thrust_peak": ((), float(tool[WALL_PEAK_Y])),
+        "force_thrust_rms": ((), float(np.sqrt(np.mean(column["force_thrust"] ** 2)))),
+        "damage_depth": ((), float(max(below.max(initial=0.0), 0.0))),
+        "cracks_tension_total": ((), tension),
+        "cracks_shear_total": ((), shear),
+        "energy_closure": ((), closure(samples[-1].energies, start)),
+        "time_snapshot": (("snapshot",), [s.time for s in snapshots]),
+        "tool_tip_snapshot": (("snapshot",), [s.tool_tip for s in snapshots]),
+        "disc_x": (("snapshot", "disc"), [s.places[:, 0] for s in snapshots]),
+        "disc_y": (("snapshot", "disc"), [s.places[:, 1] for s in snapshots]),
+        "bond_intact": (("snapshot", "bond"), [s.intact for s in snapshots]),
+        **packing_data(packed, scene),
+        **crack_data(scene),
+    }

@@ -1,0 +1,144 @@
+"""Uniaxial tests of a specimen of bonded discs: loading, sampling, stop rule and results."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from orthocut.dem.packing import PackedDiscs
+from orthocut.dem.state import Scene
+from orthocut.experiments.dem_run import closure, crack_data, energy_data, packing_data, proceed, timing
+from orthocut.io.datasets import build as build_dataset
+from orthocut.measure.dem_cracks import count_cracks
+from orthocut.measure.dem_energy import Energies, energies, forces
+from orthocut.measure.specimen import elastic_constants, strains, stress_axial
+from orthocut.params.dem import DemCompression, DemTension
+
+SAMPLES = 200
+"""Samples that a dataset holds; when they are full, every other one is dropped and the interval doubled."""
+STRAIN_INTERVAL = 1e-5
+"""Axial strain between samples at first."""
+READINGS = 4
+"""Readings of the stress in an interval, which are averaged."""
+
+Progress = Callable[[float], None]
+Test = DemTension | DemCompression
+
+
+class Sample(NamedTuple):
+    """One row of the history; stresses and strains are positive along the loading."""
+
+    time: float
+    strain_axial: float
+    strain_gauge: float
+    strain_lateral: float
+    stress_axial: float
+    stress_grip: float
+    cracks_tension: int
+    cracks_shear: int
+    energies: Energies
+
+
+def load_specimen(
+    case: Test,
+    packed: PackedDiscs,
+    scene: Scene,
+    sign: int,
+    grip_force: Callable[[Scene], float],
+    progress: Progress,
+) -> tuple[list[Sample], float, np.ndarray, np.ndarray, float, Energies]:
+    """Load until the stress has dropped to the stated fraction of its peak, or to the largest strain.
+
+    Parameters
+    ----------
+    sign : int
+        1 in tension, -1 in compression.
+    grip_force : callable
+        Reads the sum over steps of the pulling force on both ends since the last call, over two [N/m].
+
+    Returns
+    -------
+    samples, peak stress, places at the start, fraction of intact elements at the end, seconds in the solver, start energies
+    """
+    width, height = case.packing.width, case.packing.height
+    initial = scene.places.copy()
+    middle = np.abs(initial[:, 1] - 0.5 * height) < 0.25 * height
+    rate = 2 * case.grip_speed / height
+    reading = max(1, round(STRAIN_INTERVAL / rate / scene.time_step / READINGS))
+    per_sample = READINGS
+    peak, advancing = 0.0, 0.0
+    samples: list[Sample] = []
+    start = energies(scene)
+
+    strain = 0.0
+    while strain < case.strain_max:
+        stresses = []
+        for _ in range(per_sample):
+            began = time.perf_counter()
+            proceed(scene, reading)
+            advancing += time.perf_counter() - began
+            found = forces(scene)
+            y = scene.places[:, 1]
+            stresses.append(sign * stress_axial(found, y, 0.25 * height, 0.75 * height, width))
+        strain = rate * scene.time
+        axial, lateral = strains(initial, scene.places, middle)
+        grip = sign * grip_force(scene) / (per_sample * reading) / width
+        stress = float(np.mean(stresses))
+        samples.append(
+            Sample(
+                scene.time, strain, sign * axial, sign * lateral, stress, grip,
+                *count_cracks(scene), energies(scene, found.energy),
+            )  # fmt: skip
+        )
+        peak = max(peak, stress)
+        progress(min(strain / case.strain_max, 1.0))
+        if samples[-1].cracks_tension + samples[-1].cracks_shear > 0 and stress < case.drop_fraction * peak:
+            break
+        if len(samples) == SAMPLES:
+            samples = samples[1::2]
+            per_sample *= 2
+    progress(1.0)
+    return samples, peak, initial, found.intact, advancing, start
+
+
+def specimen_dataset(
+    case: Test,
+    title: str,
+    packed: PackedDiscs,
+    scene: Scene,
+    sign: int,
+    grip_force: Callable[[Scene], float],
+    progress: Progress,
+    began: float,
+) -> xr.Dataset:
+    """Load a specimen and return histories, results, discs at start and end, cracks and energies."""
+    samples, peak, initial, intact, advancing, start = load_specimen(case, packed, scene, sign, grip_force, progress)
+    column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
+    modulus, poisson = elastic_constants(column["stress_axial"], column["strain_gauge"], column["strain_lateral"])
+    history: dict[str, Any] = {**column, **energy_data([s.energies for s in samples], start)}
+    padding = np.full(SAMPLES - len(samples), np.nan)
+    tension, shear = count_cracks(scene)
+
+    data = {name: (("sample",), np.concatenate([values, padding])) for name, values in history.items()}
+    data |= {
+        "modulus_young": ((), modulus),
+        "ratio_poisson": ((), poisson),
+        "strength_ultimate": ((), peak),
+        "strain_peak": ((), float(column["strain_axial"][np.argmax(column["stress_axial"])])),
+        "cracks_tension_total": ((), tension),
+        "cracks_shear_total": ((), shear),
+        "energy_closure": ((), closure(samples[-1].energies, start)),
+        "time_snapshot": (("snapshot",), [0.0, scene.time]),
+        "disc_x": (("snapshot", "disc"), [initial[:, 0], scene.places[:, 0]]),
+        "disc_y": (("snapshot", "disc"), [initial[:, 1], scene.places[:, 1]]),
+        "bond_intact": (("snapshot", "bond"), [np.ones_like(intact), intact]),
+        **packing_data(packed, scene),
+        **crack_data(scene),
+    }
+    dataset = build_dataset(case, title, data)
+    dataset.attrs.update(timing(time.perf_counter() - began, advancing, scene))
+    return dataset

@@ -1,0 +1,47 @@
+"""Uniaxial tension of a specimen of bonded discs (Yang et al. 2018, section 3.1)."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import xarray as xr
+
+from orthocut.dem.packing import PackedDiscs, pack
+from orthocut.dem.setup import build
+from orthocut.dem.state import Scene
+from orthocut.experiments.dem_specimen import Progress, specimen_dataset
+from orthocut.params.dem import DemTension
+
+BOTTOM, TOP = 0, 1
+
+
+def make_scene(case: DemTension, packed: PackedDiscs) -> Scene:
+    """Specimen with a driven row of discs at either end, moving apart without spin.
+
+    All discs start with the velocity of uniform stretching, so that no wave runs through the specimen.
+    """
+    height = case.packing.height
+    top = packed.y > (1 - case.grip_ratio) * height
+    bottom = packed.y < case.grip_ratio * height
+    driven = np.flatnonzero(top | bottom)
+    scene = build(packed.x, packed.y, packed.radius, case.joint, driven=driven, group=np.where(top[driven], TOP, BOTTOM))
+    scene.speeds[:, 1] = case.grip_speed * (2 * packed.y / height - 1)
+    scene.speeds[top, 1] = case.grip_speed
+    scene.speeds[bottom, 1] = -case.grip_speed
+    return scene
+
+
+def read_grips(scene: Scene) -> float:
+    """Sum over steps of the pulling force, mean of both grips, since the last call [N/m]."""
+    total = 0.5 * float(scene.reaction[2 * BOTTOM + 1] - scene.reaction[2 * TOP + 1])
+    scene.reaction[:] = 0.0
+    return total
+
+
+def simulate(case: DemTension, progress: Progress) -> xr.Dataset:
+    """Pull a specimen apart; see `orthocut.variables` for what the dataset holds."""
+    began = time.perf_counter()
+    packed = pack(case.packing)
+    scene = make_scene(case, packed)
+    return specimen_dataset(case, "Uniaxial tension of bonded discs", packed, scene, 1, read_grips, progress, began)
