@@ -52,6 +52,7 @@ def mpm_run(snapshots=4, wall_time=3.5, force=None, touching=0, **values):
         "force_rubbing_mean": ((), 0.1 * force),
         "touching": ((), touching),
         "energy_closure": ((), 0.02),
+        "mode_one_fraction": ((), 0.9),
     }
     if snapshots:
         data |= _points(case, snapshots, travel, time)

@@ -67,17 +67,15 @@ def crack_legend(tension: int, shear: int) -> list[Line2D]:
     ]
 
 
-def strength_test(dataset: xr.Dataset, kind: str, sign: float, sense: str) -> Figure:
+def strength_test(dataset: xr.Dataset, kind: str, sense: str) -> Figure:
     """Specimen with its cracks, beside the stress-strain curves of all replicates.
 
     Parameters
     ----------
     kind : str
         Kind of run to draw; others are ignored.
-    sign : float
-        -1 where stress and strain are drawn positive in compression.
     sense : str
-        Word for the axes.
+        Words for the axes; stress and strain are drawn positive along the loading.
     """
     runs = [run for run in cases(dataset, "stress_axial", "strain_axial") if case_of(run).kind == kind]
     figure = page(3.3, PAGE)
@@ -90,7 +88,7 @@ def strength_test(dataset: xr.Dataset, kind: str, sign: float, sense: str) -> Fi
         return figure
 
     for colour, run in zip(SERIES * 9, runs, strict=False):
-        _curve(curves, run, sign, colour)
+        _curve(curves, run, colour)
     curves.set_xlim(left=0)
     curves.set_ylim(bottom=0)
     curves.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncols=1, borderaxespad=0.2)
@@ -98,7 +96,14 @@ def strength_test(dataset: xr.Dataset, kind: str, sign: float, sense: str) -> Fi
     return figure
 
 
-def _curve(ax: Axes, run: xr.Dataset, sign: float, colour: str) -> None:
+def _along(run: xr.Dataset, name: str) -> np.ndarray:
+    """Stress or strain, turned so that its largest magnitude is positive."""
+    found = values(run, name)
+    turned = np.isfinite(found).any() and np.nanmax(found) < -np.nanmin(found)
+    return -found if turned else found
+
+
+def _curve(ax: Axes, run: xr.Dataset, colour: str) -> None:
     case = case_of(run)
     parts = [f"seed {case.packing.seed}"]
     for name, text in (
@@ -109,13 +114,13 @@ def _curve(ax: Axes, run: xr.Dataset, sign: float, colour: str) -> None:
         value = abs(float(values(run, name)))
         if math.isfinite(value):
             parts.append(text.format(value))
-    x, y = sign * values(run, "strain_axial"), sign * values(run, "stress_axial")
+    x, y = _along(run, "strain_axial"), _along(run, "stress_axial")
     ax.plot(x, y, color=colour, label=", ".join(parts))
     if np.isfinite(y).any():
         peak = int(np.nanargmax(y))
         ax.plot(x[peak], y[peak], "o", color=colour, mfc="white", zorder=3)
     if np.isfinite(values(run, "stress_grip")).any():
-        ax.plot(x, sign * values(run, "stress_grip"), color=colour, ls=":", lw=0.8)
+        ax.plot(x, _along(run, "stress_grip"), color=colour, ls=":", lw=0.8)
 
 
 def _picture(ax: Axes, run: xr.Dataset) -> None:

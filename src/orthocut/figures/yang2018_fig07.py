@@ -18,4 +18,4 @@ CAPTION = (
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """Specimen of the first replicate, curves of all."""
-    return strength_test(dataset, "dem_tension", 1.0, "tension positive")
+    return strength_test(dataset, "dem_tension", "tension positive")

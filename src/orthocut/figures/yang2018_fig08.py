@@ -18,4 +18,4 @@ CAPTION = (
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """Specimen of the first replicate, curves of all; compression is drawn positive."""
-    return strength_test(dataset, "dem_compression", -1.0, "compression positive")
+    return strength_test(dataset, "dem_compression", "compression positive")

@@ -1,45 +1,38 @@
-"""Nairn (2015), Fig. 8: dimensionless cutting force over dimensionless depth of cut, simulated and by both models."""
+"""Nairn (2015), Figs 8, 11-15: dimensionless cutting force over depth of cut, simulated and by both models."""
 
 from __future__ import annotations
 
 import math
-from collections import defaultdict
 
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from orthocut.figures.canvas import cases, label, nothing, page, styled
+from orthocut.figures.canvas import label, nothing, page, styled
 from orthocut.figures.palette import SERIES
+from orthocut.figures.sweep import dimensionless_depth, group_name, grouped, touches
 from orthocut.io.collect import case_of
 from orthocut.theory import bending, touching
-from orthocut.theory.forces import depth_dimensionless
 
 CAPTION = (
-    "Cutting force over depth of cut, both dimensionless, after Nairn (2015), Fig. 8. Open symbols: the tool touches "
-    "the crack tip; filled: a gap separates them; bars: standard error of the mean. Dotted: touching model, eq. (14). "
-    "Dashed: bending model as printed, eqs (18), (19), with the simulated rubbing forces. Solid: bending model with "
-    "the chip in balance without rubbing."
+    "Cutting force over depth of cut, both dimensionless, after Nairn (2015), Figs 8 and 11-15. Open symbols: the "
+    "tool touches the crack tip; filled: a gap separates them; bars: standard error of the mean. Dotted: touching "
+    "model, eq. (14). Dashed: bending model as printed, eqs (18), (19), with the simulated rubbing forces. Solid: "
+    "bending model with the chip in balance without rubbing."
 )
-CURVE_POINTS = 80
+CURVE_POINTS = 60
 MODELS = ((":", "touching model"), ("--", "bending, paper"), ("-", "bending, consistent"))
-
-
-def _group(case) -> tuple[float, float, float]:
-    return (case.tool.rake_angle, case.tool.friction, case.material.modulus_tangent)
 
 
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
-    """One colour for each rake angle, friction and tangent modulus."""
+    """One colour for each rake angle, friction, tangent modulus and cohesive stress."""
     figure = page(3.4)
     ax = figure.subplots()
     ax.set_xlabel(label("depth_dimensionless") + " [-]")
     ax.set_ylabel(label("force_over_toughness") + " [-]")
-    groups = defaultdict(list)
-    for run in cases(dataset, "force_cutting_mean"):
-        groups[_group(case_of(run))].append(run)
+    groups = grouped(dataset, "force_cutting_mean")
     if not groups:
         nothing(ax)
         return figure
@@ -47,10 +40,9 @@ def draw(dataset: xr.Dataset) -> Figure:
     marks = []
     deepest = max(case_of(run).cut_depth for runs in groups.values() for run in runs)
     for colour, (group, runs) in zip(SERIES * 9, sorted(groups.items()), strict=False):
-        runs.sort(key=lambda run: case_of(run).cut_depth)
         _curves(ax, runs, 1.08 * deepest, colour)
         _symbols(ax, runs, colour)
-        marks.append(Line2D([], [], color=colour, marker="o", ls="", label=_name(group, groups)))
+        marks.append(Line2D([], [], color=colour, marker="o", ls="", label=group_name(group, groups)))
     highest = max(_force(run) for runs in groups.values() for run in runs)
     ax.set_xlim(left=0)
     ax.set_ylim(0, 1.25 * highest)
@@ -67,38 +59,20 @@ def draw(dataset: xr.Dataset) -> Figure:
     return figure
 
 
-def _name(group: tuple[float, float, float], groups) -> str:
-    rake, friction, tangent = group
-    parts = [rf"$\alpha$ = {math.degrees(rake):.3g}°"]
-    if len({other[1] for other in groups}) > 1:
-        parts.append(rf"$\mu$ = {friction:g}")
-    if len({other[2] for other in groups}) > 1:
-        parts.append(rf"$E_T$ = {tangent * 1e-6:g} MPa")
-    return ", ".join(parts)
-
-
 def _force(run: xr.Dataset) -> float:
     return float(run["force_cutting_mean"]) / case_of(run).interface.toughness
 
 
-def _depth(run: xr.Dataset) -> float:
-    case = case_of(run)
-    return depth_dimensionless(
-        case.cut_depth, case.material.stress_yield, case.material.modulus_plane_strain, case.interface.toughness
-    )
-
-
 def _symbols(ax, runs: list[xr.Dataset], colour: str) -> None:
     for run in runs:
-        touches = float(run["touching"]) >= 0.5 if "touching" in run else False
         error = float(run["force_cutting_error"]) / case_of(run).interface.toughness
         ax.errorbar(
-            _depth(run),
+            dimensionless_depth(run),
             _force(run),
             yerr=error if math.isfinite(error) else None,
             fmt="o",
             color=colour,
-            mfc="white" if touches else colour,
+            mfc="white" if touches(run) else colour,
             capsize=2,
             elinewidth=0.8,
             zorder=3,
