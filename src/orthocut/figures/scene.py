@@ -13,6 +13,7 @@ from matplotlib.patches import Polygon
 
 from orthocut.figures.canvas import values
 from orthocut.figures.palette import DISC_EDGE, DISC_FACE, SHEAR, TENSION, TOOL_EDGE, TOOL_FACE
+from orthocut.io.collect import case_of
 from orthocut.params.tool import Tool
 
 STRESS_MAP = LinearSegmentedColormap.from_list("stress", ["#E8E8E8", "#9A9A9A", "#000000"])
@@ -110,7 +111,7 @@ def draw_bonds(ax: Axes, run: xr.Dataset, snapshot: int, **style) -> int:
 
 
 def draw_cracks(ax: Axes, run: xr.Dataset, before: float = math.inf, width: float = 0.7) -> tuple[int, int]:
-    """Broken elements where and how they broke, as short lines; return the numbers in tension and in shear.
+    """Broken elements where and how they broke, as lines of their length; return the numbers in tension and in shear.
 
     Parameters
     ----------
@@ -120,14 +121,14 @@ def draw_cracks(ax: Axes, run: xr.Dataset, before: float = math.inf, width: floa
     x, y, normal = values(run, "crack_x"), values(run, "crack_y"), np.atleast_1d(run["crack_normal"].values)
     mode, time = np.atleast_1d(run["crack_mode"].values), np.atleast_1d(run["crack_time"].values)
     good = np.isfinite(np.atleast_1d(x)) & np.isfinite(normal) & (mode >= 0) & ~(time > before)
-    half = 1e3 * float(np.nanmean(run["disc_radius"].values))
+    half = 1e3 * float(np.nanmean(run["disc_radius"].values)) / case_of(run).joint.elements
     along = half * np.column_stack([-np.sin(normal), np.cos(normal)])
     centre = np.column_stack([x, y])
     counts = []
-    for wanted, colour in ((0, TENSION), (1, SHEAR)):
+    for wanted, colour, level in ((0, TENSION, 2.6), (1, SHEAR, 2.5)):
         chosen = good & (mode == wanted)
         segments = np.stack([centre[chosen] - along[chosen], centre[chosen] + along[chosen]], axis=1)
-        ax.add_collection(LineCollection(segments, colors=colour, linewidths=width, zorder=2.5), autolim=False)
+        ax.add_collection(LineCollection(segments, colors=colour, linewidths=width, zorder=level), autolim=False)
         counts.append(int(chosen.sum()))
     return counts[0], counts[1]
 

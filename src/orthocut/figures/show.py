@@ -66,7 +66,7 @@ def _energies(ax, run: xr.Dataset) -> None:
         nothing(ax, "no energies")
         return
     handles = draw_energies(ax, run, along[0])
-    ax.legend(handles.values(), handles.keys(), loc="upper left", fontsize=6)
+    ax.legend(handles.values(), handles.keys(), loc="upper left", bbox_to_anchor=(1.0, 1.0))
 
 
 def _points(ax, run: xr.Dataset, case) -> None:
@@ -89,8 +89,6 @@ def _discs(ax, run: xr.Dataset, case) -> None:
     draw_discs(ax, run, last, width=0.12)
     (left, right), (bottom, top) = extent(run, last)
     width, height = case.packing.width * 1e3, case.packing.height * 1e3
-    left, right = max(left, -0.5 * width), min(right, 1.5 * width)
-    bottom, top = max(bottom, -0.5 * height), min(top, 1.5 * height)
     margin = 0.03 * (top - bottom)
     if hasattr(case, "tool"):
         tips = np.atleast_1d(values(run, "tool_tip_snapshot"))

@@ -18,11 +18,14 @@ from orthocut.io.collect import case_of
 
 
 def extent(run: xr.Dataset, snapshot: int = 0) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Range of x and of y that the discs of a snapshot fill [mm]."""
+    """Range of x and of y that the discs of a snapshot fill [mm], at most a third of the packing beyond its sides."""
     scene = run.isel(snapshot=snapshot)
     radius = run["disc_radius"].values * 1e3
     x, y = values(scene, "disc_x"), values(scene, "disc_y")
-    return (np.nanmin(x - radius), np.nanmax(x + radius)), (np.nanmin(y - radius), np.nanmax(y + radius))
+    width, height = (1e3 * side for side in (case_of(run).packing.width, case_of(run).packing.height))
+    low = max(np.nanmin(x - radius), -width / 3), max(np.nanmin(y - radius), -height / 3)
+    high = min(np.nanmax(x + radius), 4 * width / 3), min(np.nanmax(y + radius), 4 * height / 3)
+    return (low[0], high[0]), (low[1], high[1])
 
 
 def magnified(dataset: xr.Dataset, paint, factor: float = 12.0) -> Figure:

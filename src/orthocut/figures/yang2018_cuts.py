@@ -16,9 +16,9 @@ from orthocut.figures.specimen import crack_legend, draw_forces, extent
 from orthocut.io.collect import case_of
 
 CAPTION = (
-    "Cut of the synthetic glass block: the last snapshot with the cracks (green: shear, blue: tension) and the forces "
-    "over the travel of the tool, after Yang et al. (2018), Figs 11-14. Pale: the other replicates; dotted: averages "
-    "over the travel and all replicates."
+    "Cut of the synthetic glass block: the last snapshot with all cracks where they formed (green: shear, blue: tension) "
+    "and the forces over the travel of the tool, after Yang et al. (2018), Figs 11-14. Pale: the other replicates; "
+    "dotted: averages over the travel and all replicates."
 )
 
 
@@ -57,12 +57,10 @@ def _picture(ax, run: xr.Dataset) -> None:
     counts = draw_cracks(ax, run, float(time[last]) if last < time.size else math.inf, width=0.8)
     width, height = case.packing.width * 1e3, case.packing.height * 1e3
     (left, right), (bottom, top) = extent(run, last)
-    margin = 0.3 * width
-    left, right = max(left, -margin) - 0.02 * width, min(max(right, width), width + margin) + 0.02 * width
-    bottom, top = max(bottom, -0.05 * height), min(top, height + margin) + 0.05 * height
+    margin = 0.02 * width
     if last < tips.size:
         draw_tool(ax, case.tool, float(tips[last]), height - case.cut_depth * 1e3, 2 * (width + height), filled=False)
-    frame(ax, (left, right), (bottom, top))
+    frame(ax, (left - margin, max(right, width) + margin), (max(bottom, 0) - margin, top + 3 * margin))
     ax.legend(handles=crack_legend(*counts), loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
 
 
