@@ -8,7 +8,7 @@ rule simulate:
         run=f"{RESULTS}/runs/{{case_id}}.nc",
     log:
         f"{RESULTS}/logs/simulate/{{case_id}}.log",
-    priority: 1
+    priority: lambda wildcards: int(PLAN.seconds(wildcards.case_id))
     conda:
         "../envs/orthocut.yaml"
     resources:

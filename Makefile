@@ -1,0 +1,62 @@
+# Two commands: `make figures` and `make test`. Needs Python >= 3.11 with venv, pip, git and make; no compiler.
+
+PYTHON ?= python3
+CORES ?= all
+STUDY ?= quick
+TEST_JOBS ?= 2
+VENV := .venv
+BIN := $(VENV)/bin
+STAMP := $(VENV)/installed.stamp
+
+.PHONY: help figures dry-run report test lint format config clean benchmark
+
+help: ## list the targets
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
+	@echo "Variables: STUDY=quick CORES=all PYTHON=python3"
+
+$(STAMP): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || \
+		{ echo "orthocut needs Python 3.11 or later, but $(PYTHON) is $$($(PYTHON) --version 2>&1)." >&2; \
+		  echo "Name another one: make PYTHON=python3.12 ..." >&2; exit 1; }
+	@test -x $(BIN)/python || { echo "creating $(VENV)"; $(PYTHON) -m venv $(VENV); } || \
+		{ echo "cannot create $(VENV); on Debian and Ubuntu: apt install python3-venv" >&2; exit 1; }
+	@echo "installing $$(grep -c == constraints.txt) pinned packages (once, one to three minutes)"
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
+	@touch $@
+	@echo "installed"
+
+figures: $(STAMP) ## run a study and draw its figures and tables into results/ (STUDY=quick)
+	@$(BIN)/snakemake --cores $(CORES) --config study=$(STUDY)
+	@echo "figures: results/figures, tables: results/tables, datasets: results/datasets"
+
+dry-run: $(STAMP) ## say what `make figures` would do, and why
+	@$(BIN)/snakemake --dry-run --config study=$(STUDY)
+
+report: figures ## one HTML page with all figures and tables: results/report.html
+	@$(BIN)/snakemake --config study=$(STUDY) --report results/report.html
+
+test: $(STAMP) ## run the tests
+	@$(BIN)/python -m pytest -n $(TEST_JOBS)
+
+lint: $(STAMP) ## style, types of imports, workflow
+	@$(BIN)/ruff check
+	@$(BIN)/ruff format --check
+	@$(BIN)/snakefmt --check Snakefile workflow
+	@$(BIN)/lint-imports
+	@$(BIN)/snakemake --lint
+
+format: $(STAMP) ## format Python and Snakemake files
+	@$(BIN)/ruff check --fix
+	@$(BIN)/ruff format
+	@$(BIN)/snakefmt Snakefile workflow
+
+config: $(STAMP) ## write the default values and the schema of studies from the models
+	@$(BIN)/python -m orthocut.params.schema workflow/config
+
+benchmark: $(STAMP) ## measure the cost of a step of each method
+	@$(BIN)/orthocut bench mpm
+	@$(BIN)/orthocut bench dem
+
+clean: ## remove the environment and the results, except the published ones
+	rm -rf $(VENV) .snakemake
+	find results -mindepth 1 -maxdepth 1 ! -name published -exec rm -rf {} + 2>/dev/null || true
