@@ -63,12 +63,14 @@ def values(run: xr.Dataset, name: str) -> np.ndarray:
     return shown(name, run[name].values)
 
 
-def cases(dataset: xr.Dataset, *needed: str) -> list[xr.Dataset]:
+def cases(dataset: xr.Dataset, *needed: str, kind: str = "") -> list[xr.Dataset]:
     """Runs of a collected dataset that hold finite values of all variables named; a single run is a list of itself.
 
-    Failed and missing runs drop out here, so that figures need not know of them.
+    Failed and missing runs drop out here, so that figures need not know of them, and runs of other kinds than `kind`.
     """
     runs = [dataset.isel(case=index) for index in range(dataset.sizes["case"])] if "case" in dataset.dims else [dataset]
+    if kind:
+        runs = [run for run in runs if (run["kind"].item() if "kind" in run.coords else run.attrs["kind"]) == kind]
     return [run for run in runs if all(np.isfinite(values(run, name)).any() for name in needed)]
 
 

@@ -21,7 +21,7 @@ CAPTION = (
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """One panel a run."""
-    runs = cases(dataset, "force_cutting", "time")
+    runs = cases(dataset, "force_cutting", "time", kind="mpm_cutting")
     figure = page(2.3 * max(len(runs), 1))
     panels = figure.subplots(max(len(runs), 1), squeeze=False)[:, 0]
     for ax, run in zip(panels, runs, strict=False):

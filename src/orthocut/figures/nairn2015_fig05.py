@@ -22,7 +22,7 @@ COUNT = 6
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """Up to six snapshots of the first run, evenly spaced, the last one included."""
-    runs = [run for run in cases(dataset, "point_x") if last_snapshot(run, "point_x") >= 0]
+    runs = [run for run in cases(dataset, "point_x", kind="mpm_cutting") if last_snapshot(run, "point_x") >= 0]
     if not runs:
         figure = page(2.0)
         nothing(figure.subplots())

@@ -25,7 +25,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax = figure.subplots()
     ax.set_xlabel(r"$Z = \tan(\arctan\mu - \alpha)$ [-]")
     ax.set_ylabel(label("mode_one_fraction"))
-    runs = cases(dataset, "mode_one_fraction")
+    runs = cases(dataset, "mode_one_fraction", kind="mpm_cutting")
     if not runs:
         nothing(ax)
         return figure

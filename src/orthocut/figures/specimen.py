@@ -80,7 +80,7 @@ def strength_test(dataset: xr.Dataset, kind: str, sense: str) -> Figure:
     sense : str
         Words for the axes; stress and strain are drawn positive along the loading.
     """
-    runs = [run for run in cases(dataset, "stress_axial", "strain_axial") if case_of(run).kind == kind]
+    runs = cases(dataset, "stress_axial", "strain_axial", kind=kind)
     figure = page(3.3, PAGE)
     picture, curves = figure.subplots(1, 2, width_ratios=[1, 1.35])
     name_axes(curves, f"axial strain, {sense} [%]", f"axial stress, {sense} [MPa]")

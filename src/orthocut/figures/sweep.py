@@ -24,7 +24,7 @@ def grouped(dataset: xr.Dataset, *needed: str) -> dict[Group, list[xr.Dataset]]:
         Variables that a run must hold.
     """
     groups = defaultdict(list)
-    for run in cases(dataset, *needed):
+    for run in cases(dataset, *needed, kind="mpm_cutting"):
         case = case_of(run)
         key = (case.tool.rake_angle, case.tool.friction, case.material.modulus_tangent, case.interface.strength)
         groups[key].append(run)

@@ -16,9 +16,9 @@ from orthocut.figures.specimen import crack_legend, draw_forces, extent
 from orthocut.io.collect import case_of
 
 CAPTION = (
-    "Cut of the synthetic glass block: the last snapshot with all cracks where they formed (green: shear, blue: tension) "
-    "and the forces over the travel of the tool, after Yang et al. (2018), Figs 11-14. Pale: the other replicates; "
-    "dotted: averages over the travel and all replicates."
+    "Cut of the synthetic glass block: the last snapshot with all cracks where they formed (green: shear, blue: "
+    "tension) and the forces over the travel of the tool, after Yang et al. (2018), Figs 11-14. Pale: the other "
+    "replicates; dotted: averages over the travel and all replicates."
 )
 
 
@@ -26,7 +26,7 @@ CAPTION = (
 def draw(dataset: xr.Dataset) -> Figure:
     """One row for each depth of cut, without and with grooves; the first replicate is shown in full."""
     rows = defaultdict(list)
-    for run in cases(dataset, "force_cutting", "tool_travel"):
+    for run in cases(dataset, "force_cutting", "tool_travel", kind="dem_cutting"):
         case = case_of(run)
         rows[(case.cut_depth, case.grooves is not None)].append(run)
     figure = page(2.9 * max(len(rows), 1), PAGE)

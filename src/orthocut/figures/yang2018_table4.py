@@ -33,7 +33,7 @@ FORCES = ("force_cutting", "force_thrust")
 def measured(dataset: xr.Dataset) -> dict[tuple[float, bool], dict[str, list[float]]]:
     """Mean forces [N/mm] of all finished cuts, by depth of cut [mm] and grooves."""
     found: dict = defaultdict(lambda: {name: [] for name in FORCES})
-    for run in cases(dataset, *(f"{name}_mean" for name in FORCES)):
+    for run in cases(dataset, *(f"{name}_mean" for name in FORCES), kind="dem_cutting"):
         case = case_of(run)
         for name in FORCES:
             found[(round(case.cut_depth * 1e3, 9), case.grooves is not None)][name].append(

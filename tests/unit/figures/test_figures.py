@@ -62,6 +62,17 @@ def test_failed_and_missing_runs_are_holes(name):
         figure.draw_without_rendering()
 
 
+@pytest.fixture(scope="module")
+def all_kinds():
+    tests = [dem_test_run(kind, cracks=3, **BIG) for kind in ("dem_tension", "dem_compression")]
+    return collect([*tests, dem_cut_run(cracks=3, **BIG), mpm_run(snapshots=1, **COARSE)])
+
+
+@pytest.mark.parametrize("name", DISTINCT)
+def test_runs_of_other_kinds_do_no_harm(name, all_kinds):
+    registry.draw(name, all_kinds)
+
+
 @pytest.mark.parametrize("name", ["nairn2015_fig05", "nairn2015_fig07", "nairn2015_fig08", "yang2018_fig11"])
 def test_files_are_whole_and_the_same_again(name, tmp_path):
     dataset = collect(runs_for(name))
