@@ -22,7 +22,7 @@ SAMPLES = 500
 SNAPSHOTS = 6
 """Snapshots of a run, evenly spaced; the last one at its end."""
 TOUCHING_CELLS = 1.5
-"""Mean distance from tool tip to crack tip, in cells, below which the tool touches: contact reaches 1.25 cells ahead."""
+"""Mean distance from tool tip to crack tip below which the tool touches, in cells; contact reaches 1.25 cells ahead."""
 
 _IMPULSES = {
     "force_cutting_chip": step.CHIP_X,
@@ -63,47 +63,48 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
         If energies stop being finite or a point leaves the grid.
     """
     state = setup.build(case)
-    solver = Solver(state, case.material, case.interface)
-    duration = state.tool[step.RAMP_TIME] / case.numerics.ramp_fraction
-    steps = math.ceil(duration / state.time_step / SAMPLES)
-    face = state.tool[step.TIP_X]
+    solver = Solver(state)
+    frame = state.frame
+    steps = math.ceil(case.duration / frame.time_step / SAMPLES)
+    face = state.totals[step.TIP]
     histories: dict[str, list[float]] = {}
     snapshots = []
+    shots = {round(SAMPLES * k / SNAPSHOTS) for k in range(1, SNAPSHOTS + 1)}
     for sample in range(1, SAMPLES + 1):
         before = state.totals.copy()
         solver.advance(steps)
-        record = _sample(solver, before, steps * state.time_step, face)
+        record = _sample(solver, before, steps * frame.time_step, face)
         _check(solver, record, case)
         for name, value in record.items():
             histories.setdefault(name, []).append(value)
-        if sample % (SAMPLES // SNAPSHOTS) == 0 and len(snapshots) < SNAPSHOTS - 1 or sample == SAMPLES:
-            snapshots.append(snapshot(state, case.material))
+        if sample in shots:
+            snapshots.append(snapshot(state))
         progress(sample / SAMPLES)
     arrays = {name: np.array(values) for name, values in histories.items()}
     data = {name: (("sample",), values) for name, values in arrays.items()}
     data |= {name: ((), value) for name, value in _results(case, solver, arrays).items()}
     for name, (dims, _) in snapshots[0].items():
         data[name] = (("snapshot", *dims), np.stack([shot[name][1] for shot in snapshots]))
-    data["point_half_width"] = ((), 0.25 * state.cell)
+    data["point_half_width"] = ((), 0.25 * frame.cell)
     dataset = build(case, "Orthogonal cut with material points", data, {"time": data.pop("time")})
     dataset.attrs |= {
         "points": state.point_count,
         "steps": steps * SAMPLES,
-        "time_step_s": state.time_step,
-        "cell_m": state.cell,
+        "time_step_s": frame.time_step,
+        "cell_m": frame.cell,
     }
     return dataset
 
 
 def _sample(solver: Solver, before: np.ndarray, interval: float, face: float) -> dict[str, float]:
     """Values at the end of an output interval; forces are means over it, on the tool."""
-    state, now = solver.state, solver.state.totals
+    now = solver.state.totals
     elastic, plastic, kinetic = solver.energies()
-    record = {"time": now[step.TIME], "tool_travel": face - state.tool[step.TIP_X]}
+    record = {"time": now[step.TIME], "tool_travel": face - now[step.TIP]}
     record |= {name: -(now[row] - before[row]) / interval for name, row in _IMPULSES.items()}
     record["force_cutting"] = record["force_cutting_chip"] + record["force_cutting_base"]
     record["force_thrust"] = record["force_thrust_chip"] + record["force_thrust_base"]
-    record["tool_tip"] = state.tool[step.TIP_X]
+    record["tool_tip"] = now[step.TIP]
     record["crack_tip"] = solver.crack_tip
     record["crack_gap"] = record["tool_tip"] - record["crack_tip"]
     record |= {name: now[row] for name, row in _ENERGIES.items()}
@@ -141,7 +142,7 @@ def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) ->
         "force_thrust_error": thrust.error,
         "force_rubbing_mean": rubbing.value,
         "crack_gap_mean": gap.value,
-        "touching": float(gap.value < TOUCHING_CELLS * solver.state.cell),
+        "touching": float(gap.value < TOUCHING_CELLS * solver.state.frame.cell),
         "mode_one_fraction": float(pairs[interface.MODE_ONE, failed].mean()) if failed.any() else math.nan,
         "energy_closure": arrays["energy_residual"][-1] / arrays["work_tool"][-1],
     }

@@ -8,10 +8,9 @@ import numpy as np
 
 from orthocut.kernels.mpm import layout, step
 from orthocut.mpm.state import State
-from orthocut.params.material import ElasticPlastic
 
 
-def snapshot(state: State, material: ElasticPlastic) -> dict[str, tuple[tuple[str, ...], Any]]:
+def snapshot(state: State) -> dict[str, tuple[tuple[str, ...], Any]]:
     """Positions, deformation, equivalent Cauchy stress and plastic strain of all points now.
 
     Returns
@@ -26,10 +25,10 @@ def snapshot(state: State, material: ElasticPlastic) -> dict[str, tuple[tuple[st
     volume_ratio = fxx * fyy - fxy * fyx
     return {
         "time_snapshot": ((), state.totals[step.TIME]),
-        "tool_tip_snapshot": ((), state.tool[step.TIP_X]),
+        "tool_tip_snapshot": ((), state.totals[step.TIP]),
         "point_x": (("point",), state.field(layout.X)),
         "point_y": (("point",), state.field(layout.Y)),
         "point_deformation": (("point", "component"), np.stack([fxx, fxy, fyx, fyy], axis=-1)),
-        "point_stress": (("point",), material.modulus_shear * np.sqrt(1.5 * square) / volume_ratio),
+        "point_stress": (("point",), state.solid.modulus_shear * np.sqrt(1.5 * square) / volume_ratio),
         "point_strain_plastic": (("point",), state.field(layout.EPS)),
     }

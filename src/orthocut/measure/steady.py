@@ -26,8 +26,8 @@ def block_mean(values: np.ndarray, blocks: int = 8) -> Mean:
     values : float array, shape (n_samples,)
         Samples in the window.
     blocks : int
-        Number of blocks whose means are taken as independent; a block must be longer than the correlation of the samples,
-        or the error comes out too small.
+        Number of blocks whose means are taken as independent; a block must be longer than the correlation of the
+        samples, or the error comes out too small.
 
     Returns
     -------

@@ -6,13 +6,15 @@ import math
 
 import numpy as np
 
-from orthocut.kernels.mpm import layout, step
 from orthocut.kernels.mpm import interface as pairs
+from orthocut.kernels.mpm import layout, step
+from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Wedge
 from orthocut.mpm.state import State
 from orthocut.params.mpm import MpmCutting
 
 _HEADROOM = 12.0  # space above the surface that a straight chip needs, in depths of cut
 _MARGIN = 3.0  # space beside the workpiece, in depths of cut
+_MASS_SMALL = 1e-9  # nodes below this fraction of the mass of a full cell are skipped
 
 
 def fill_blocks(x: np.ndarray, y: np.ndarray, mass: float) -> np.ndarray:
@@ -55,18 +57,15 @@ def build(case: MpmCutting) -> State:
     depth = case.cut_depth
     n = case.numerics.points_per_depth
     spacing = depth / n
-    cell = 2.0 * spacing
     columns = 2 * round(case.workpiece.length_ratio * n / 2)
     base_rows = 2 * max(1, round(case.workpiece.base_ratio * n / 2))
     mass = case.material.density * spacing**2
     chip = fill_blocks(*_rectangle(range(columns), range(n), spacing), mass)
     base = fill_blocks(*_rectangle(range(columns), range(-base_rows, 0), spacing), mass)
 
-    left = math.ceil(_MARGIN * n / 2) + 2
-    right = math.ceil(_MARGIN * n / 2) + 2
+    beside = math.ceil(_MARGIN * n / 2) + 2
     below = base_rows // 2 + 3
     above = math.ceil((1.0 + _HEADROOM) * n / 2) + 3
-    counts = (left + columns // 2 + right + 1, below + above + 1)
 
     notch = round(case.workpiece.notch_ratio * n)
     interface = np.zeros((pairs.INTERFACE_ROWS, columns - notch))
@@ -76,25 +75,35 @@ def build(case: MpmCutting) -> State:
     interface[pairs.FAILED_AT] = np.nan
     interface[pairs.MODE_ONE] = np.nan
 
-    duration = case.travel_ratio * depth / (case.cut_speed * (1.0 - 0.5 * case.numerics.ramp_fraction))
-    tool = np.zeros(step.TOOL)
-    tool[step.RAKE], tool[step.CLEARANCE] = case.tool.rake_angle, case.tool.clearance_angle
-    tool[step.FRICTION_TOOL] = case.tool.friction
-    tool[step.TIP_X] = columns * spacing + max(0.0, -math.tan(case.tool.rake_angle)) * depth
-    tool[step.SPEED] = case.cut_speed
-    tool[step.RAMP_TIME] = case.numerics.ramp_fraction * duration
-    tool[step.FEEDBACK] = case.numerics.ramp_feedback
-
+    cell = 2.0 * spacing
+    solid = case.material
+    totals = np.zeros(step.TOTALS)
+    totals[step.TIP] = columns * spacing + max(0.0, -math.tan(case.tool.rake_angle)) * depth
     chip_blocks, base_blocks = chip.shape[0], base.shape[0]
     return State(
         points=np.concatenate([chip, base]).ravel(),
         blocks=np.array([[0, chip_blocks], [chip_blocks, chip_blocks + base_blocks]]),
         interface=interface,
-        tool=tool,
-        totals=np.zeros(step.TOTALS),
-        cell=cell,
-        origin=(-left * cell, -below * cell),
-        counts=counts,
-        last_clamped_row=below - base_rows // 2,
-        time_step=case.numerics.courant * cell / case.material.speed_pressure_wave,
+        totals=totals,
+        solid=Solid(solid.modulus_bulk, solid.modulus_shear, solid.stress_yield, solid.modulus_plastic, solid.density),
+        cohesion=Cohesion(case.interface.strength, case.interface.opening_critical),
+        wedge=Wedge(
+            case.tool.rake_angle,
+            case.tool.clearance_angle,
+            case.tool.friction,
+            case.cut_speed,
+            case.numerics.ramp_fraction * case.duration,
+            case.numerics.ramp_feedback,
+        ),
+        frame=Frame(
+            origin_x=-beside * cell,
+            origin_y=-below * cell,
+            cell=cell,
+            inv_cell=1.0 / cell,
+            count_x=beside + columns // 2 + beside + 1,
+            count_y=below + above + 1,
+            last_clamped_row=below - base_rows // 2,
+            mass_small=_MASS_SMALL * solid.density * cell**2,
+            time_step=case.numerics.courant * cell / solid.speed_pressure_wave,
+        ),
     )

@@ -1,4 +1,4 @@
-"""Arrays of a cut with material points."""
+"""State of a cut with material points."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from orthocut.kernels.mpm import layout
+from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Wedge
 
 
 @dataclass
 class State:
-    """All that changes during a run, and the geometry of the grid.
+    """All that changes during a run, and the constants of the run.
 
     Attributes
     ----------
@@ -21,32 +22,20 @@ class State:
         First block of each body (chip, base) and first block after it.
     interface : float array, shape (INTERFACE_ROWS, n_pairs)
         Cohesive pairs along the cutting path.
-    tool : float array, shape (TOOL,)
-        Angles, friction, tip, speed, ramp.
     totals : float array, shape (TOTALS,)
-        Impulses and energies since the start.
-    cell : float
-        Cell size [m].
-    origin : tuple of float
-        Position of node (0, 0) [m].
-    counts : tuple of int
-        Number of nodes in x and y.
-    last_clamped_row : int
-        Rows of nodes up to this one are clamped.
-    time_step : float
-        Time step [s].
+        Impulses and energies since the start, time and tool, see `orthocut.kernels.mpm.step`.
+    solid, cohesion, wedge, frame
+        Material, cohesive law, tool, grid.
     """
 
     points: np.ndarray
     blocks: np.ndarray
     interface: np.ndarray
-    tool: np.ndarray
     totals: np.ndarray
-    cell: float
-    origin: tuple[float, float]
-    counts: tuple[int, int]
-    last_clamped_row: int
-    time_step: float
+    solid: Solid
+    cohesion: Cohesion
+    wedge: Wedge
+    frame: Frame
 
     def field(self, index: int) -> np.ndarray:
         """One field of all points that have mass, shape (n_points,); a copy."""

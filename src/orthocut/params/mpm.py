@@ -69,3 +69,8 @@ class MpmCutting(Block):
                 f"(allowed: less than travel_ratio = {self.travel_ratio:g})"
             )
         return self
+
+    @property
+    def duration(self) -> float:
+        """Time the tool needs for its travel, ramp included [s]."""
+        return self.travel_ratio * self.cut_depth / (self.cut_speed * (1.0 - 0.5 * self.numerics.ramp_fraction))

@@ -1,7 +1,7 @@
 """Neo-Hookean elasticity with von Mises yielding and linear isotropic hardening in plane strain.
 
-Nairn (2015), eqs (1) and (2), with the return mapping of Simo & Hughes (1998), Computational Inelasticity, ch. 9. The yield
-stress is compared with the Kirchhoff stress.
+Nairn (2015), eqs (1) and (2), with the return mapping of Simo & Hughes (1998), Computational Inelasticity, ch. 9. The
+yield stress is compared with the Kirchhoff stress.
 """
 
 import math

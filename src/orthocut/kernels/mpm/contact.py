@@ -1,8 +1,8 @@
 """Contact of material points with the rigid wedge, by exact geometry and prescribed normals.
 
 A node is in contact when a point that it serves reaches through a face of the wedge: the distance of the point from the
-face is less than the half-extent of its deformed domain. Momentum is then exchanged along the normals of Nairn (2015) for
-tools that cut towards -x: (cos a, -sin a) for the rake face, (0, 1) for the bottom, from the material into the tool.
+face is less than the half-extent of its deformed domain. Momentum is then exchanged along the normals of Nairn (2015)
+for a tool that moves towards -x: (cos a, -sin a) for the rake face, (0, 1) for the bottom, from material into tool.
 """
 
 import math
@@ -32,21 +32,31 @@ from orthocut.kernels.mpm.shape import nearest_node
 
 
 @jit
-def face_of(body, rake_angle, clearance_angle):
+def face_of(body, wedge):
     """Unit normal into the tool and direction away from the tip of the face that a body meets."""
     if body == CHIP:
-        return math.cos(rake_angle), -math.sin(rake_angle), math.sin(rake_angle), math.cos(rake_angle)
-    return -math.sin(clearance_angle), math.cos(clearance_angle), math.cos(clearance_angle), math.sin(clearance_angle)
+        c, s = math.cos(wedge.rake_angle), math.sin(wedge.rake_angle)
+        return c, -s, s, c
+    c, s = math.cos(wedge.clearance_angle), math.sin(wedge.clearance_angle)
+    return -s, c, c, s
 
 
 @jit
-def list_near_points(near, points, blocks, body, rake_angle, clearance_angle, tip_x, tip_y, reach):
+def list_near_points(near, points, blocks, body, wedge, tip, reach):
     """List the points of a body that are within reach of their face of the tool.
 
     Parameters
     ----------
     near : int array
         Receives block * LANES + lane of each point.
+    points, blocks
+        Points of all bodies, and the blocks of this one.
+    body : int
+        CHIP or BASE.
+    wedge : Wedge
+        Tool.
+    tip : float
+        Place of the tool tip along the cut; its height is zero [m].
     reach : float
         Distance from the face, and along it beyond the tip, within which points are listed [m].
 
@@ -55,13 +65,13 @@ def list_near_points(near, points, blocks, body, rake_angle, clearance_angle, ti
     int
         Number of points listed.
     """
-    nx, ny, tx, ty = face_of(body, rake_angle, clearance_angle)
+    nx, ny, tx, ty = face_of(body, wedge)
     count = 0
     for block in range(blocks[0], blocks[1]):
         start = block * BLOCK
         for lane in range(LANES):
-            dx = points[start + X * LANES + lane] - tip_x
-            dy = points[start + Y * LANES + lane] - tip_y
+            dx = points[start + X * LANES + lane] - tip
+            dy = points[start + Y * LANES + lane]
             outside = -(dx * nx + dy * ny)
             along = dx * tx + dy * ty
             if outside < reach and along > -reach and points[start + MASS * LANES + lane] > 0.0:
@@ -71,9 +81,7 @@ def list_near_points(near, points, blocks, body, rake_angle, clearance_angle, ti
 
 
 @jit
-def mark_contact_nodes(
-    marked, grid, points, near, near_count, body, tool, half_width, origin_x, origin_y, inv_cell, count_x, count_y
-):
+def mark_contact_nodes(marked, grid, points, near, near_count, body, wedge, tip, frame):
     """List the nodes of a body that serve a point which reaches through its face of the tool.
 
     Parameters
@@ -82,17 +90,26 @@ def mark_contact_nodes(
         Receives the offsets of the nodes.
     grid : float array
         Nodes of the body; the mark of each listed node is set.
-    tool : float array, shape (5,)
-        Rake angle, clearance angle [rad], friction, position of the tip [m].
-    half_width : float
-        Half-width of an undeformed point [m].
+    points : float array
+        Points of all bodies.
+    near, near_count
+        Points to look at, see `list_near_points`.
+    body : int
+        CHIP or BASE.
+    wedge : Wedge
+        Tool.
+    tip : float
+        Place of the tool tip along the cut [m].
+    frame : Frame
+        Grid.
 
     Returns
     -------
     int
         Number of nodes listed.
     """
-    nx, ny, tx, ty = face_of(body, tool[0], tool[1])
+    nx, ny, tx, ty = face_of(body, wedge)
+    half_width = 0.25 * frame.cell
     count = 0
     for k in range(near_count):
         start = near[k] // LANES * BLOCK
@@ -100,15 +117,15 @@ def mark_contact_nodes(
         x, y = points[start + X * LANES + lane], points[start + Y * LANES + lane]
         fxx, fxy = points[start + FXX * LANES + lane], points[start + FXY * LANES + lane]
         fyx, fyy = points[start + FYX * LANES + lane], points[start + FYY * LANES + lane]
-        dx, dy = x - tool[3], y - tool[4]
+        dx, dy = x - tip, y
         extent_normal = half_width * (abs(nx * fxx + ny * fyx) + abs(nx * fxy + ny * fyy))
         extent_along = half_width * (abs(tx * fxx + ty * fyx) + abs(tx * fxy + ty * fyy))
         if -(dx * nx + dy * ny) < extent_normal and dx * tx + dy * ty > -extent_along:
-            i = int(nearest_node((x - origin_x) * inv_cell, count_x))
-            j = int(nearest_node((y - origin_y) * inv_cell, count_y))
+            i = int(nearest_node((x - frame.origin_x) * frame.inv_cell, frame.count_x))
+            j = int(nearest_node((y - frame.origin_y) * frame.inv_cell, frame.count_y))
             for row in range(j - 1, j + 2):
                 for column in range(i - 1, i + 2):
-                    at = (row * count_x + column) * NODE
+                    at = (row * frame.count_x + column) * NODE
                     if grid[at + NMARK] == 0.0:
                         grid[at + NMARK] = 1.0
                         marked[count] = at
@@ -117,15 +134,23 @@ def mark_contact_nodes(
 
 
 @jit
-def push_with_tool(grid, marked, marked_count, body, tool, speed, mass_small):
+def push_with_tool(grid, marked, marked_count, body, wedge, speed, frame):
     """Exchange momentum between the tool and the marked nodes that approach it; Coulomb friction along the face.
 
     Parameters
     ----------
     grid : float array
         Nodes of the body with their velocities at the end of the step; modified in place.
+    marked, marked_count
+        Nodes in contact, see `mark_contact_nodes`.
+    body : int
+        CHIP or BASE.
+    wedge : Wedge
+        Tool.
     speed : float
         Speed of the tool towards -x [m/s].
+    frame : Frame
+        Grid.
 
     Returns
     -------
@@ -134,19 +159,19 @@ def push_with_tool(grid, marked, marked_count, body, tool, speed, mass_small):
     change : float
         Change of the kinetic energy of the nodes [J/m].
     lost_impact, lost_friction : float
-        Work of the tool that did not reach the nodes: in impacts and in friction [J/m]. Impulses act at the mean velocity
-        of the step, as all forces do.
+        Work of the tool that did not reach the nodes: in impacts and in friction [J/m]. Impulses act at the mean
+        velocity of the step, as all forces do.
     """
     if body == BASE:
         nx, ny = 0.0, 1.0
     else:
-        nx, ny = math.cos(tool[0]), -math.sin(tool[0])
-    friction = tool[2]
+        nx, ny = math.cos(wedge.rake_angle), -math.sin(wedge.rake_angle)
+    friction = wedge.friction
     impulse_x = impulse_y = change = lost_impact = lost_friction = 0.0
     for k in range(marked_count):
         at = marked[k]
         mass = grid[at + NM]
-        if mass <= mass_small:
+        if mass <= frame.mass_small:
             continue
         vx, vy = grid[at + NVX], grid[at + NVY]
         dx, dy = -speed - vx, -vy

@@ -1,9 +1,9 @@
 """Cohesive interface between chip and base: tractions, closing contact, motion.
 
-Pairs of massless copies stand along the cutting path; the upper copy moves with the chip, the lower one with the base, both
-with the mass-weighted velocity of the four nodes around them. Weights by mass bound the stiffness that a pair gives to a
-node by the mass of the node: weights by distance alone let nodes of little mass vibrate until the interface breaks far from
-the tool. The opening is upper minus lower.
+Pairs of massless copies stand along the cutting path; the upper copy moves with the chip, the lower one with the base,
+both with the mass-weighted velocity of the four nodes around them. Weights by mass bound the stiffness that a pair
+gives to a node by the mass of the node: weights by distance alone let nodes of little mass vibrate until the interface
+breaks far from the tool. The opening is upper minus lower.
 """
 
 import math
@@ -24,13 +24,27 @@ INTERFACE_ROWS = 13
 
 
 @jit
-def _weights(grid, x, y, origin_x, origin_y, inv_cell, count_x):
-    i = int(math.floor((x - origin_x) * inv_cell))
-    j = int(math.floor((y - origin_y) * inv_cell))
-    rx = (x - origin_x) * inv_cell - i
-    ry = (y - origin_y) * inv_cell - j
-    at = (j * count_x + i) * NODE
-    above = at + count_x * NODE
+def pair_area(frame):
+    """Area of a pair per unit width; there are two pairs a cell [m]."""
+    return 0.5 * frame.cell
+
+
+@jit
+def _locate(x, y, frame):
+    """Column and row of the cell around a place, kept inside of the grid, and the place in the cell."""
+    x = (x - frame.origin_x) * frame.inv_cell
+    y = (y - frame.origin_y) * frame.inv_cell
+    i = int(min(max(math.floor(x), 0.0), frame.count_x - 2.0))
+    j = int(min(max(math.floor(y), 0.0), frame.count_y - 2.0))
+    return i, j, x - i, y - j
+
+
+@jit
+def _weights(grid, x, y, frame):
+    """Offsets of the lower and upper left nodes around a place, and the weights by mass of the four nodes."""
+    i, j, rx, ry = _locate(x, y, frame)
+    at = (j * frame.count_x + i) * NODE
+    above = at + frame.count_x * NODE
     w00 = (1.0 - rx) * (1.0 - ry) * grid[at + NM]
     w10 = rx * (1.0 - ry) * grid[at + NODE + NM]
     w01 = (1.0 - rx) * ry * grid[above + NM]
@@ -41,9 +55,9 @@ def _weights(grid, x, y, origin_x, origin_y, inv_cell, count_x):
 
 
 @jit
-def spread(grid, x, y, force_x, force_y, origin_x, origin_y, inv_cell, count_x):
+def spread(grid, x, y, force_x, force_y, frame):
     """Share a force at a place among the nodes around it by mass."""
-    at, above, w00, w10, w01, w11 = _weights(grid, x, y, origin_x, origin_y, inv_cell, count_x)
+    at, above, w00, w10, w01, w11 = _weights(grid, x, y, frame)
     grid[at + NFX] += w00 * force_x
     grid[at + NFY] += w00 * force_y
     grid[at + NODE + NFX] += w10 * force_x
@@ -55,9 +69,9 @@ def spread(grid, x, y, force_x, force_y, origin_x, origin_y, inv_cell, count_x):
 
 
 @jit
-def sample(grid, x, y, origin_x, origin_y, inv_cell, count_x):
+def sample(grid, x, y, frame):
     """Velocity at a place from the nodes around it that have mass [m/s]."""
-    at, above, w00, w10, w01, w11 = _weights(grid, x, y, origin_x, origin_y, inv_cell, count_x)
+    at, above, w00, w10, w01, w11 = _weights(grid, x, y, frame)
     vx = w00 * grid[at + NVX] + w10 * grid[at + NODE + NVX] + w01 * grid[above + NVX] + w11 * grid[above + NODE + NVX]
     vy = w00 * grid[at + NVY] + w10 * grid[at + NODE + NVY] + w01 * grid[above + NVY] + w11 * grid[above + NODE + NVY]
     return vx, vy
@@ -81,22 +95,7 @@ def set_normals(interface):
 
 
 @jit
-def pull_together(
-    interface,
-    chip,
-    base,
-    closing,
-    closing_normal,
-    closing_slot,
-    area,
-    strength,
-    opening_critical,
-    time,
-    origin_x,
-    origin_y,
-    inv_cell,
-    count_x,
-):
+def pull_together(interface, chip, base, closing, closing_normal, closing_slot, cohesion, time, frame):
     """Add the tractions of all living pairs to the nodes; list the nodes where the interface is closed.
 
     Parameters
@@ -111,18 +110,20 @@ def pull_together(
         Receives the sum of the normals of the pairs around each listed node.
     closing_slot : int array, shape (n_nodes,)
         Work space, -1 everywhere; left so.
-    area : float
-        Area of a pair per unit width [m].
-    strength, opening_critical : float
-        Cohesive stress [Pa] and critical opening [m].
+    cohesion : Cohesion
+        Cohesive law.
     time : float
         Time, logged at failure [s].
+    frame : Frame
+        Grid.
 
     Returns
     -------
     int
         Number of nodes listed.
     """
+    strength, opening_critical = cohesion.strength, cohesion.opening_critical
+    area = pair_area(frame)
     energy_critical = energy_released(opening_critical, opening_critical, strength)
     count = 0
     for k in range(interface.shape[1]):
@@ -155,18 +156,13 @@ def pull_together(
             interface[UPPER_Y, k],
             -force_x,
             -force_y,
-            origin_x,
-            origin_y,
-            inv_cell,
-            count_x,
+            frame,
         )
-        spread(
-            base, interface[LOWER_X, k], interface[LOWER_Y, k], force_x, force_y, origin_x, origin_y, inv_cell, count_x
-        )
+        spread(base, interface[LOWER_X, k], interface[LOWER_Y, k], force_x, force_y, frame)
         if normal < 0.0:
-            i = int(math.floor((interface[LOWER_X, k] - origin_x) * inv_cell))
-            j = int(math.floor((interface[LOWER_Y, k] - origin_y) * inv_cell))
-            for node in (j * count_x + i, j * count_x + i + 1, (j + 1) * count_x + i, (j + 1) * count_x + i + 1):
+            i, j, _, _ = _locate(interface[LOWER_X, k], interface[LOWER_Y, k], frame)
+            first = j * frame.count_x + i
+            for node in (first, first + 1, first + frame.count_x, first + frame.count_x + 1):
                 if closing_slot[node] < 0:
                     closing_slot[node] = count
                     closing[count] = node * NODE
@@ -180,7 +176,7 @@ def pull_together(
 
 
 @jit
-def push_apart(chip, base, closing, closing_normal, count, mass_small):
+def push_apart(chip, base, closing, closing_normal, count, frame):
     """Exchange normal momentum between chip and base at nodes around closed pairs, where they approach each other.
 
     Returns
@@ -194,7 +190,7 @@ def push_apart(chip, base, closing, closing_normal, count, mass_small):
     for k in range(count):
         at = closing[k]
         mass_chip, mass_base = chip[at + NM], base[at + NM]
-        if mass_chip <= mass_small or mass_base <= mass_small:
+        if mass_chip <= frame.mass_small or mass_base <= frame.mass_small:
             continue
         nx, ny = closing_normal[k, 0], closing_normal[k, 1]
         length = math.sqrt(nx * nx + ny * ny)
@@ -215,7 +211,7 @@ def push_apart(chip, base, closing, closing_normal, count, mass_small):
 
 
 @jit
-def move_pairs(interface, chip, base, time_step, area, origin_x, origin_y, inv_cell, count_x):
+def move_pairs(interface, chip, base, frame):
     """Move both copies of all living pairs with the velocities at the end of the step.
 
     Returns
@@ -224,11 +220,12 @@ def move_pairs(interface, chip, base, time_step, area, origin_x, origin_y, inv_c
         Work done on the tractions of the step [J/m].
     """
     work = 0.0
+    time_step, area = frame.time_step, pair_area(frame)
     for k in range(interface.shape[1]):
         if interface[ALIVE, k] == 0.0:
             continue
-        ux, uy = sample(chip, interface[UPPER_X, k], interface[UPPER_Y, k], origin_x, origin_y, inv_cell, count_x)
-        lx, ly = sample(base, interface[LOWER_X, k], interface[LOWER_Y, k], origin_x, origin_y, inv_cell, count_x)
+        ux, uy = sample(chip, interface[UPPER_X, k], interface[UPPER_Y, k], frame)
+        lx, ly = sample(base, interface[LOWER_X, k], interface[LOWER_Y, k], frame)
         interface[UPPER_X, k] += time_step * ux
         interface[UPPER_Y, k] += time_step * uy
         interface[LOWER_X, k] += time_step * lx

@@ -1,8 +1,7 @@
 """Memory layout of material points and grid nodes.
 
-Points stand in blocks of `LANES`; field f of lane k of block b is at ``b * BLOCK + f * LANES + k`` of one flat array, so
-that one base pointer with constant offsets serves all fields and loops over lanes vectorise. Lanes that pad the last
-block of a body have no mass. The quantities of a node stand side by side and fill one cache line.
+Points stand in blocks of `LANES`; field f of lane k of block b is at ``b * BLOCK + f * LANES + k`` of one flat array.
+Lanes that pad the last block of a body have no mass. The quantities of a node stand side by side, one cache line.
 """
 
 LANES = 64
@@ -17,11 +16,19 @@ MASS = 12  # mass per unit width [kg/m]
 POINT_FIELDS = 13
 BLOCK = POINT_FIELDS * LANES
 
+# A block is copied to a work array that holds, behind the fields, what lives only within a pass over the points: with
+# one array and constant offsets LLVM needs no alias checks and vectorises the loops over lanes.
+WX, GX, WY, GY = 13, 16, 19, 22  # three weights, three slopes in each direction
+CORNER = 25  # index of the lower left of the 3 x 3 nodes
+DXX, DXY, DYX, DYY = 26, 27, 28, 29  # velocity gradient times cell size [m/s]
+TXX, TYY, TXY = 30, 31, 32  # Kirchhoff stress times initial volume over cell size [N/m]
+WORK = 33 * LANES
+
 # quantities of a node
 NM = 0  # mass [kg/m]
 NPX, NPY = 1, 2  # momentum per unit width [kg/s]
-NFX, NFY = 3, 4  # force [N/m]
-NMARK = 5  # marks of the contact pass: 0 none, 1 touches the tool
+NMARK = 3  # marks of the contact pass: 0 none, 1 touches the tool
+NFX, NFY = 4, 5  # force [N/m]
 NVX, NVY = 6, 7  # velocity at the end of the step [m/s]
 NODE = 8
 

@@ -1,0 +1,86 @@
+"""Constants of a run, bundled for the kernels."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Frame(NamedTuple):
+    """Grid of square cells; both bodies use the same."""
+
+    origin_x: float
+    """Position of node (0, 0) [m]."""
+    origin_y: float
+    """Position of node (0, 0) [m]."""
+    cell: float
+    """Cell size [m]."""
+    inv_cell: float
+    """One over the cell size [1/m]."""
+    count_x: int
+    """Nodes in a row."""
+    count_y: int
+    """Rows of nodes."""
+    last_clamped_row: int
+    """Rows of the base up to this one are clamped in both directions."""
+    mass_small: float
+    """Nodes of less mass are skipped [kg/m]."""
+    time_step: float
+    """Time step [s]."""
+
+
+class Solid(NamedTuple):
+    """Material of the workpiece."""
+
+    modulus_bulk: float
+    """Bulk modulus [Pa]."""
+    modulus_shear: float
+    """Shear modulus [Pa]."""
+    stress_yield: float
+    """Initial yield stress in tension [Pa]."""
+    modulus_plastic: float
+    """Slope of yield stress over plastic strain [Pa]."""
+    density: float
+    """Density in the undeformed state [kg/m^3]."""
+
+
+class Cohesion(NamedTuple):
+    """Cohesive law of the interface."""
+
+    strength: float
+    """Cohesive stress [Pa]."""
+    opening_critical: float
+    """Opening at which the traction vanishes [m]."""
+
+
+class Wedge(NamedTuple):
+    """Rigid tool that moves towards -x."""
+
+    rake_angle: float
+    """Rake angle [rad]."""
+    clearance_angle: float
+    """Clearance angle [rad]."""
+    friction: float
+    """Coulomb coefficient."""
+    speed: float
+    """Speed after the ramp [m/s]."""
+    ramp_time: float
+    """Duration of the ramp [s]."""
+    feedback: float
+    """Gain of the feedback damping in the ramp [1/m^2]."""
+
+
+class Workspace(NamedTuple):
+    """Arrays that live only within a step."""
+
+    lanes: np.ndarray
+    """One block of points and what is derived from it, shape (WORK,)."""
+    near: np.ndarray
+    """Points near the tool, block * LANES + lane, shape (2, n_lanes)."""
+    marked: np.ndarray
+    """Offsets of the nodes that touch the tool, shape (n_nodes,)."""
+    closing: np.ndarray
+    """Offsets of the nodes around closed pairs of the interface, shape (n_nodes,)."""
+    closing_normal: np.ndarray
+    """Sums of the normals of the pairs around those nodes, shape (n_nodes, 2)."""
+    closing_slot: np.ndarray
+    """Place of each node in `closing`; -1 everywhere outside of the search, shape (n_nodes,)."""
