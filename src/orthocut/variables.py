@@ -68,6 +68,7 @@ VARIABLES: dict[str, Variable] = {
     "packing_radius_min": Variable("R_{min}", "m", "smallest radius", "um", 1e6),
     "packing_radius_ratio": Variable("R_{max}/R_{min}", "1", "largest over smallest radius"),
     "packing_pressure_ratio": Variable("P/E^*", "1", "packing pressure over contact modulus"),
+    "packing_porosity_cloud": Variable("n_c", "1", "porosity of the cloud of discs before scaling"),
     "joint_modulus": Variable("E^*", "Pa", "contact and joint modulus", "GPa", 1e-9),
     "joint_stiffness_ratio": Variable(r"\kappa", "1", "normal over shear stiffness"),
     "joint_strength_tensile": Variable(r"\sigma_c", "Pa", "tensile strength of a joint", *_MPA),

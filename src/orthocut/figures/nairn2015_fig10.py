@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from orthocut.figures.canvas import label, nothing, page, styled
 from orthocut.figures.palette import SERIES
-from orthocut.figures.sweep import dimensionless_depth, group_name, grouped, touches
+from orthocut.figures.sweep import dimensionless_depth, group_name, grouped, legend_columns, touches
 from orthocut.io.collect import case_of
 
 CAPTION = (
@@ -22,7 +22,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     figure = page(2.7)
     ax = figure.subplots()
     ax.set_xlabel(label("depth_dimensionless") + " [-]")
-    ax.set_ylabel("rubbing force over toughness $F_n^b/(bG_c)$ [-]")
+    ax.set_ylabel("rubbing force $F_n^b/(bG_c)$ [-]")
     groups = grouped(dataset, "force_rubbing_mean")
     if not groups:
         nothing(ax)
@@ -37,5 +37,5 @@ def draw(dataset: xr.Dataset) -> Figure:
         ax.plot([], [], "o", color=colour, label=group_name(group, groups))
     ax.axhline(0, color="0.4", lw=0.6)
     ax.set_xlim(left=0)
-    figure.legend(loc="outside upper center", ncols=3, columnspacing=1.2)
+    figure.legend(loc="outside upper center", ncols=legend_columns(groups), columnspacing=1.2)
     return figure

@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from orthocut.figures.canvas import cases, label, nothing, page, styled, values
+from orthocut.figures.canvas import cases, nothing, page, styled, values
 from orthocut.figures.palette import BLACK
 from orthocut.figures.sweep import touches
 from orthocut.io.collect import case_of
@@ -24,7 +24,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     figure = page(2.6)
     ax = figure.subplots()
     ax.set_xlabel(r"$Z = \tan(\arctan\mu - \alpha)$ [-]")
-    ax.set_ylabel(label("mode_one_fraction"))
+    ax.set_ylabel("fraction of mode I $J_I/J_c$ [%]")
     runs = cases(dataset, "mode_one_fraction", kind="mpm_cutting")
     if not runs:
         nothing(ax)

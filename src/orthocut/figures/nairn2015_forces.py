@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import label, nothing, page, styled
 from orthocut.figures.palette import SERIES
-from orthocut.figures.sweep import dimensionless_depth, group_name, grouped, touches
+from orthocut.figures.sweep import dimensionless_depth, group_name, grouped, legend_columns, touches
 from orthocut.io.collect import case_of
 from orthocut.theory import bending, touching
 
@@ -51,11 +51,11 @@ def draw(dataset: xr.Dataset) -> Figure:
         Line2D([], [], color="0.25", marker="o", mfc=face, ls="", label=text)
         for face, text in (("white", "run, touching"), ("0.25", "run, bending"))
     ]
-    columns = (marks, states, lines)
+    columns = (marks, states, lines) if legend_columns(groups) == 3 else (marks, states + lines)
     rows = max(map(len, columns))
     blank = Line2D([], [], ls="", label=" ")
     handles = [entry for column in columns for entry in column + [blank] * (rows - len(column))]
-    figure.legend(handles=handles, loc="outside upper center", ncols=3, columnspacing=1.2)
+    figure.legend(handles=handles, loc="outside upper center", ncols=len(columns), columnspacing=1.2)
     return figure
 
 

@@ -1,10 +1,12 @@
 """Every figure from synthetic runs: labels with units, holes, whole files, the same bytes again."""
 
+import itertools
 import re
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 from synthetic import dem_cut_run, dem_test_run, failed, mpm_run
 
 from orthocut.figures import registry
@@ -24,7 +26,8 @@ def runs_for(name):
         return [mpm_run(snapshots=2, **COARSE)]
     if name in SWEEPS:
         return [
-            mpm_run(snapshots=0, cut_depth=depth, rake_angle=rake, touching=touching, modulus_tangent="0 MPa")
+            mpm_run(snapshots=0, cut_depth=depth, rake_angle=rake, touching=touching, modulus_tangent=tangent)
+            for tangent in ("0 MPa", "100 MPa")
             for rake in ("15 deg", "30 deg")
             for depth, touching in (("0.5 mm", 1), ("2.5 mm", 0))
         ]
@@ -60,6 +63,28 @@ def test_failed_and_missing_runs_are_holes(name):
     for dataset in (some, none, collect([])):
         figure = registry.draw(name, dataset)
         figure.draw_without_rendering()
+
+
+def texts_of(figure):
+    figure.draw_without_rendering()
+    texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip()]
+    ticks = {tick for ax in figure.axes for axis in (ax.xaxis, ax.yaxis) for tick in axis.get_ticklabels()}
+    return [text for text in texts if text not in ticks]
+
+
+@pytest.mark.parametrize("name", DISTINCT)
+def test_no_text_is_cut_off_or_lies_on_another(name):
+    figure = registry.draw(name, collect(runs_for(name)))
+    boxes = [(text.get_text(), text.get_window_extent()) for text in texts_of(figure)]
+    for text, box in boxes:
+        assert box.x0 > -1, text
+        assert box.y0 > -1, text
+        assert box.x1 < figure.bbox.x1 + 1, text
+        assert box.y1 < figure.bbox.y1 + 1, text
+    for (one, first), (other, second) in itertools.combinations(boxes, 2):
+        width = min(first.x1, second.x1) - max(first.x0, second.x0)
+        height = min(first.y1, second.y1) - max(first.y0, second.y0)
+        assert min(width, height) < 2, (one, other)
 
 
 @pytest.fixture(scope="module")
