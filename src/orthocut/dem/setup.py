@@ -124,7 +124,7 @@ def build(
 
     joints = install_joints(x, y, radius, joint)
     rows = np.array(walls) if walls else np.zeros((0, layout.WALL))
-    skin = 0.25 * float(radius.min())
+    skin = 0.4 * float(radius.min())
     size = 2 * float(radius.max()) + skin
     margin = 4 * size
     left, bottom = float(x.min()) - margin, float(y.min()) - margin

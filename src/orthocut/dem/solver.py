@@ -8,10 +8,10 @@ from orthocut.kernels.dem.joint_removal import remove_joints
 from orthocut.kernels.dem.joints import add_joint_forces
 from orthocut.kernels.dem.layout import SPEED_X, SPEED_Y
 from orthocut.kernels.dem.walls import add_wall_forces, find_near_walls, move_walls
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import jit, part
 
 DONE, TOO_FAST, OUTRUN, CROWDED = 0, 1, 2, 3
-"""How a run ended: all steps done; a disc above the speed limit; a disc left the list of neighbours between two checks;
+"""How a run ended: all steps done; a disc above the speed limit; discs moved out of the list of neighbours between two checks;
 too many neighbours for the list."""
 
 CHECK = 10
@@ -20,7 +20,7 @@ REMOVAL = 10 * CHECK
 """Steps between removals of joints whose faces have left each other."""
 
 
-@jit
+@part
 def step_once(scene):
     """One leap-frog step of the whole scene."""
     dt, law, walls = scene.time_step, scene.law, scene.walls
@@ -37,26 +37,22 @@ def step_once(scene):
         scene.force, walls.rows, walls.shear, scene.tally, walls.start, walls.disc, scene.position, scene.velocity,
         scene.radius, law.stiffness_ratio, dt,
     )  # fmt: skip
-    sum_reactions(
-        scene.reaction, scene.tally, scene.force, scene.velocity, scene.driven, scene.group, dt
-    )
+    sum_reactions(scene.reaction, scene.tally, scene.force, scene.velocity, scene.driven, scene.group, dt)
     accelerate(scene.velocity, scene.force, scene.tally, scene.inverse_mass, law.damping, dt)
     scene.clock[0] += 1
 
 
-@jit
+@part
 def renew_lists(scene):
     """Search for close pairs and for discs near walls; return the number of contacts or -1."""
     scene.reference[:] = scene.position
     scene.clock[1] = scene.clock[0]
     scene.clock[2] += 1
-    find_near_walls(
-        scene.walls.start, scene.walls.disc, scene.walls.rows, scene.position, scene.radius, scene.skin
-    )
+    find_near_walls(scene.walls.start, scene.walls.disc, scene.walls.rows, scene.position, scene.radius, scene.skin)
     return renew_contacts(scene.contacts, scene.joints, scene.position, scene.radius, scene.skin, scene.grid)
 
 
-@jit
+@part
 def keep_lists(scene):
     """Renew the lists if a disc or wall may leave them before the next check; return how the check ended."""
     speed = fastest(scene.velocity)
@@ -64,11 +60,11 @@ def keep_lists(scene):
         return TOO_FAST
     stale = scene.clock[1] < 0
     if not stale:
-        moved = farthest(scene.position, scene.reference)
-        if not moved <= 0.5 * scene.skin:
+        moved, second = farthest(scene.position, scene.reference)
+        if moved + second > scene.skin:
             return OUTRUN
         ahead = CHECK * scene.time_step
-        stale = moved + 2.0 * ahead * speed > 0.5 * scene.skin
+        stale = moved + second + 4.0 * ahead * speed > scene.skin
         elapsed = (scene.clock[0] - scene.clock[1]) * scene.time_step
         for w in range(scene.walls.rows.shape[0]):
             wall_x, wall_y = scene.walls.rows[w, SPEED_X], scene.walls.rows[w, SPEED_Y]

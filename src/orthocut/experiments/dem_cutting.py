@@ -102,6 +102,7 @@ def simulate(case: DemCutting, progress: Progress) -> xr.Dataset:
     began, advancing = time.perf_counter(), 0.0
     packed = pack(case.packing)
     scene = make_scene(case, packed)
+    proceed(scene, 0)
     steps = math.ceil(case.travel / case.cut_speed / scene.time_step)
     ends = [steps * (k + 1) // SAMPLES for k in range(SAMPLES)]
     tip_start = float(scene.walls.rows[0, TIP_X])
@@ -111,14 +112,18 @@ def simulate(case: DemCutting, progress: Progress) -> xr.Dataset:
 
     for k, end in enumerate(ends):
         ran = end - int(scene.clock[0])
-        resumed = time.perf_counter()
+        resumed = time.thread_time()
         proceed(scene, ran)
-        advancing += time.perf_counter() - resumed
+        advancing += time.thread_time() - resumed
         tip = float(scene.walls.rows[0, TIP_X])
         found = forces(scene)
         samples.append(
             Sample(
-                scene.time, tip_start - tip, tip, *read_tool(scene, ran), *count_cracks(scene),
+                scene.time,
+                tip_start - tip,
+                tip,
+                *read_tool(scene, ran),
+                *count_cracks(scene),
                 energies(scene, found.energy),
             )  # fmt: skip
         )

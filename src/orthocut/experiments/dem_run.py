@@ -17,7 +17,7 @@ from orthocut.measure.guard import Diverged
 
 _WHY = {
     TOO_FAST: "a disc is faster than {limit:.3g} m/s, a fifth of the speed of sound, or its velocity is not a number",
-    OUTRUN: "a disc moved farther between two checks than the list of neighbours allows",
+    OUTRUN: "discs moved farther between two checks than the list of neighbours allows",
     CROWDED: "a disc has more neighbours than the list of contacts has room for",
 }
 
@@ -71,7 +71,16 @@ def crack_data(scene: Scene) -> dict[str, tuple[tuple[str, ...], Any]]:
 
 
 def timing(seconds: float, advancing: float, scene: Scene) -> Mapping[str, float]:
-    """Attributes that tell the cost of a run: they differ between repeats and so are no variables."""
+    """Attributes that tell the cost of a run: they differ between repeats and so are no variables.
+
+    Parameters
+    ----------
+    seconds : float
+        Wall time of the whole run, packing and compilation included [s].
+    advancing : float
+        CPU time of the steps alone [s].
+    scene : Scene
+    """
     bond_steps = max(int(scene.clock[0]), 1) * max(len(scene.joints.first), 1)
     return {
         "wall_time_s": seconds,

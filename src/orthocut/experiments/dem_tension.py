@@ -25,7 +25,9 @@ def make_scene(case: DemTension, packed: PackedDiscs) -> Scene:
     top = packed.y > (1 - case.grip_ratio) * height
     bottom = packed.y < case.grip_ratio * height
     driven = np.flatnonzero(top | bottom)
-    scene = build(packed.x, packed.y, packed.radius, case.joint, driven=driven, group=np.where(top[driven], TOP, BOTTOM))
+    scene = build(
+        packed.x, packed.y, packed.radius, case.joint, driven=driven, group=np.where(top[driven], TOP, BOTTOM)
+    )
     scene.speeds[:, 1] = case.grip_speed * (2 * packed.y / height - 1)
     scene.speeds[top, 1] = case.grip_speed
     scene.speeds[bottom, 1] = -case.grip_speed

@@ -31,5 +31,13 @@ FAST_MATH = {"reassoc", "nsz", "arcp", "contract"}
 jit = numba.njit(cache=True, fastmath=FAST_MATH, error_model="numpy")
 """Decorator of loops over particles, bonds and nodes."""
 
+part = numba.njit(cache=True, forceinline=True, fastmath=FAST_MATH, error_model="numpy")
+"""Decorator of loops that other compiled functions call: they become part of their caller in machine code.
+
+A call that is not inlined is bound to the callee's own code after a fresh compilation, but to the caller's copy of it
+when the caller comes from the cache. Both were optimised apart and may round differently, so that a first and a second
+run of the same case would differ in their bits.
+"""
+
 inline = numba.njit(inline="always", fastmath=FAST_MATH, error_model="numpy")
 """Decorator of small laws: they become part of the loop that calls them, so that it vectorises."""

@@ -104,7 +104,13 @@ class DemCutting(_Dem):
 
     kind: Literal["dem_cutting"] = "dem_cutting"
     packing: Packing = Packing.model_construct(
-        width=1e-3, height=1e-3, radius_min=10e-6, radius_ratio=1.3333333333333333, porosity_cloud=0.103, pressure_ratio=0.03, seed=1
+        width=1e-3,
+        height=1e-3,
+        radius_min=10e-6,
+        radius_ratio=1.3333333333333333,
+        porosity_cloud=0.103,
+        pressure_ratio=0.03,
+        seed=1,
     )
     tool: Tool = Tool.model_construct(rake_angle=-0.261799387799149, clearance_angle=0.261799387799149, friction=0.577)
     cut_depth: Annotated[float, Quantity("m", "1 um", "10 mm", "mm")] = 0.1e-3

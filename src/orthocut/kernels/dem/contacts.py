@@ -2,11 +2,11 @@
 
 from orthocut.kernels.dem.layout import FRICTION, ROW
 from orthocut.kernels.dem.neighbours import find_pairs
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import part
 from orthocut.kernels.laws.linear_contact import linear_contact
 
 
-@jit
+@part
 def renew_contacts(contacts, joints, position, radius, skin, grid):
     """List the pairs of close discs without a live joint anew; shear forces of old contacts are kept.
 
@@ -54,7 +54,7 @@ def renew_contacts(contacts, joints, position, radius, skin, grid):
     return count
 
 
-@jit
+@part
 def add_contact_forces(
     force, contacts, tally, position, velocity, radius, modulus, stiffness_ratio, friction, time_step
 ):

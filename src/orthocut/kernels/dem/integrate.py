@@ -3,17 +3,17 @@
 import numpy as np
 
 from orthocut.kernels.dem.layout import DAMPING, GRIP, ROW
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import part
 
 
-@jit
+@part
 def move(position, velocity, time_step):
     """Move and turn all discs."""
     for k in range(position.size):
         position[k] += time_step * velocity[k]
 
 
-@jit
+@part
 def accelerate(velocity, force, tally, inverse_mass, damping, time_step):
     """Change velocities by the forces, damped, and clear the forces.
 
@@ -34,7 +34,7 @@ def accelerate(velocity, force, tally, inverse_mass, damping, time_step):
     tally[DAMPING] += loss * time_step
 
 
-@jit
+@part
 def sum_reactions(reaction, tally, force, velocity, driven, group, time_step):
     """Add the force on the driven discs to the sums of their groups, and the work done on them to the tally.
 
@@ -53,7 +53,7 @@ def sum_reactions(reaction, tally, force, velocity, driven, group, time_step):
     tally[GRIP] += work * time_step
 
 
-@jit
+@part
 def fastest(velocity):
     """Largest speed of a disc [m/s]; infinite if any is not a number."""
     largest = 0.0
@@ -64,12 +64,16 @@ def fastest(velocity):
     return largest**0.5
 
 
-@jit
+@part
 def farthest(position, reference):
-    """Largest distance of a disc from its place at the last search for neighbours [m]."""
+    """Largest and second largest distance of a disc from its place at the last search for neighbours [m]."""
     largest = 0.0
+    second = 0.0
     for i in range(0, position.size, ROW):
         dx = position[i] - reference[i]
         dy = position[i + 1] - reference[i + 1]
-        largest = max(largest, dx * dx + dy * dy)
-    return largest**0.5
+        square = dx * dx + dy * dy
+        if square > second:
+            second = min(square, largest)
+            largest = max(square, largest)
+    return largest**0.5, second**0.5

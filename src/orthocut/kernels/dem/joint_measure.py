@@ -12,18 +12,18 @@ from orthocut.kernels.dem.layout import (
     STIFFNESS,
     STRESS_SHEAR,
 )
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import jit, part
 from orthocut.kernels.laws.flat_joint import element_closure
 
 
-@jit
+@part
 def element_shear(joints, b, e):
     """Shear stress of element `e` of joint `b` [Pa]; in whole blocks the first element stands for all."""
     own = e if joints.broken[b // LANES] != 0 else 0
     return joints.state[b // LANES, STRESS_SHEAR + own * LANES + b % LANES]
 
 
-@jit
+@part
 def joint_energy(block, k, gap, law):
     """Elastic energy of a joint in a broken block [J/m]."""
     stiffness = block[STIFFNESS + k]

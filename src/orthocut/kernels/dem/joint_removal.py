@@ -12,10 +12,10 @@ from orthocut.kernels.dem.layout import (
     SHIFT,
     STIFFNESS,
 )
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import part
 
 
-@jit
+@part
 def remove_joints(joints, tally, position, radius, law):
     """Remove wholly broken joints whose faces have shifted by more than their length, or lie open, or have tilted far.
 

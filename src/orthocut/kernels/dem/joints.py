@@ -32,11 +32,11 @@ from orthocut.kernels.dem.layout import (
     W_X,
     W_Y,
 )
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import part
 from orthocut.kernels.laws.flat_joint import element_closure, element_failure, element_slip, joint_intact
 
 
-@jit
+@part
 def gather(work, position, first, second, start, lanes):
     """Vector, mean and relative rotation between the discs of the joints of a block; unused lanes get a unit vector."""
     for k in range(lanes):
@@ -53,7 +53,7 @@ def gather(work, position, first, second, start, lanes):
         work[W_BEND + k] = 0.0
 
 
-@jit
+@part
 def follow(block, work):
     """Update the frames of a block and find gap and shear displacement.
 
@@ -82,7 +82,7 @@ def follow(block, work):
         block[BEND + k] = bend
 
 
-@jit
+@part
 def respond_whole(block, work, stiffness_ratio, strength_tensile, cohesion, tangent, reach):
     """Response of a block without a broken element; return the number of joints that reach their strength."""
     flexibility = 1.0 / stiffness_ratio
@@ -101,7 +101,7 @@ def respond_whole(block, work, stiffness_ratio, strength_tensile, cohesion, tang
     return failing
 
 
-@jit
+@part
 def open_block(block, work, elements):
     """Give every element of a block its own shear stress, before the first of them breaks."""
     for e in range(1, elements):
@@ -111,7 +111,7 @@ def open_block(block, work, elements):
         work[W_SLIP + k] = 0.0
 
 
-@jit
+@part
 def respond_element(block, work, e, elements, stiffness_ratio, strength_tensile, cohesion, tangent, friction):
     """Add the response of element `e` of each joint; return the number of breaks and the work of friction."""
     breaks = 0
@@ -148,7 +148,7 @@ def respond_element(block, work, e, elements, stiffness_ratio, strength_tensile,
     return breaks, loss
 
 
-@jit
+@part
 def record_cracks(log, count, tally, block, work, position, first, start, lanes, e, elements, step):
     """Log the breaks of element `e` in a block, in the order of the joints."""
     for k in range(lanes):
@@ -169,7 +169,7 @@ def record_cracks(log, count, tally, block, work, position, first, start, lanes,
             tally[FRACTURE] += work[W_RELEASED + k]
 
 
-@jit
+@part
 def respond_broken(
     block, work, elements, stiffness_ratio, strength_tensile, cohesion, tangent, friction,
     log, count, tally, position, first, start, lanes, step,
@@ -189,7 +189,7 @@ def respond_broken(
             record_cracks(log, count, tally, block, work, position, first, start, lanes, e, elements, step)
 
 
-@jit
+@part
 def resolve(block, work):
     """Turn the resultants of a block into force and moments on the discs.
 
@@ -210,7 +210,7 @@ def resolve(block, work):
         work[W_BEND + k] = (half - skew) * shear + moment
 
 
-@jit
+@part
 def scatter(force, work, first, second, start, lanes):
     """Add forces and moments of a block to its discs."""
     for k in range(lanes):
@@ -226,7 +226,7 @@ def scatter(force, work, first, second, start, lanes):
         force[j + 2] += work[W_BEND + k]
 
 
-@jit
+@part
 def add_joint_forces(force, joints, cracks, tally, position, law, step):
     """Add the forces of all joints to the discs; break elements that reach their strength.
 

@@ -70,7 +70,9 @@ CRACK = 6
 
 TIP_X, TIP_Y, FIRST_X, FIRST_Y, SECOND_X, SECOND_Y, SPEED_X, SPEED_Y = range(8)
 """Columns of a wall: a convex wedge with a tip, two faces given by their outward normals, and a velocity."""
-WALL_FRICTION, WALL_STIFFNESS, WALL_FORCE_X, WALL_FORCE_Y, WALL_SUM_X, WALL_SUM_Y, WALL_PEAK_X, WALL_PEAK_Y = range(8, 16)
+WALL_FRICTION, WALL_STIFFNESS, WALL_FORCE_X, WALL_FORCE_Y, WALL_SUM_X, WALL_SUM_Y, WALL_PEAK_X, WALL_PEAK_Y = range(
+    8, 16
+)
 """Friction, normal stiffness [Pa]; force on the wall in the last step, its sum over steps and its peaks."""
 WALL_WORK = 16
 """Work done by the wall [J/m]."""

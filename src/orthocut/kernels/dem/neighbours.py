@@ -1,10 +1,10 @@
 """Search for pairs of close discs by a grid of cells."""
 
 from orthocut.kernels.dem.layout import ROW
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import part
 
 
-@jit
+@part
 def sort_into_cells(cell_start, cell_disc, cell_of, position, grid):
     """Counting sort of discs into cells; discs outside the grid go into its outermost cells.
 
@@ -34,7 +34,7 @@ def sort_into_cells(cell_start, cell_disc, cell_of, position, grid):
     cell_start[0] = 0
 
 
-@jit
+@part
 def find_pairs(pair_start, pair_second, cell_start, cell_disc, cell_of, position, radius, skin, grid):
     """List all pairs i < j whose surfaces are closer than `skin`, in ascending order of i.
 

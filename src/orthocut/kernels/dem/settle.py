@@ -8,7 +8,7 @@ import numpy as np
 
 from orthocut.kernels.dem.layout import ROW
 from orthocut.kernels.dem.neighbours import find_pairs
-from orthocut.kernels.jit import inline, jit
+from orthocut.kernels.jit import inline, jit, part
 
 TIME_STEP = 0.3
 """Time step; the unit is sqrt(mass/(modulus x width))."""
@@ -24,7 +24,7 @@ def push_from_wall(gap):
     return -2.0 * gap if gap < 0.0 else 0.0
 
 
-@jit
+@part
 def add_pushes(force, position, radius, width, height, start, second):
     """Add the forces of overlapping discs and walls.
 

@@ -25,7 +25,7 @@ from orthocut.kernels.dem.layout import (
     WALL_SUM_Y,
     WALL_WORK,
 )
-from orthocut.kernels.jit import inline, jit
+from orthocut.kernels.jit import inline, part
 from orthocut.kernels.laws.linear_contact import linear_contact
 
 
@@ -56,7 +56,7 @@ def wedge_distance(dx, dy, first_x, first_y, second_x, second_y):
     return second, second_x, second_y
 
 
-@jit
+@part
 def find_near_walls(start, disc, walls, position, radius, skin):
     """List the discs closer to each wall than `skin`."""
     count = 0
@@ -74,7 +74,7 @@ def find_near_walls(start, disc, walls, position, radius, skin):
     start[walls.shape[0]] = count
 
 
-@jit
+@part
 def move_walls(walls, time_step):
     """Move all walls."""
     for w in range(walls.shape[0]):
@@ -82,7 +82,7 @@ def move_walls(walls, time_step):
         walls[w, TIP_Y] += time_step * walls[w, SPEED_Y]
 
 
-@jit
+@part
 def add_wall_forces(force, walls, shear, tally, start, disc, position, velocity, radius, stiffness_ratio, time_step):
     """Add the forces of walls on discs; sum the forces on each wall.
 
