@@ -90,5 +90,5 @@ def energy_elastic(volume_ratio, trace, modulus_bulk, modulus_shear):
 
 @inline
 def energy_plastic(strain_plastic, stress_yield, modulus_plastic):
-    """Plastic work per initial volume [J/m^3] for linear hardening."""
+    """Plastic work per initial volume [J/m^3], up to a part of second order in yield stress over shear modulus."""
     return strain_plastic * (stress_yield + 0.5 * modulus_plastic * strain_plastic)

@@ -1,0 +1,116 @@
+"""Cohesive interface: energy of rigid openings, unloading, closing contact, conservation."""
+
+import numpy as np
+import pytest
+
+from orthocut.kernels.mpm import interface as pairs
+from orthocut.kernels.mpm import layout
+from orthocut.kernels.mpm.frame import Cohesion, Frame
+from orthocut.params.cohesive import CohesiveZone
+
+ZONE = CohesiveZone()
+COHESION = Cohesion(ZONE.strength, ZONE.opening_critical)
+CELL = 1e-4
+FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 11, -1, 1e-12, 1e-8)
+NODES = FRAME.count_x * FRAME.count_y
+AREA = CELL / 2
+
+
+class Interface:
+    """One pair between two bodies that fill all nodes."""
+
+    def __init__(self):
+        self.state = np.zeros((pairs.INTERFACE_ROWS, 1))
+        self.state[pairs.UPPER_X] = self.state[pairs.LOWER_X] = 0.3 * CELL
+        self.state[pairs.NORMAL_Y] = 1.0
+        self.state[pairs.ALIVE] = 1.0
+        self.closing = np.zeros(NODES, dtype=np.int64)
+        self.normal = np.zeros((NODES, 2))
+        self.slot = np.full(NODES, -1, dtype=np.int64)
+        self.work = 0.0
+
+    def bodies(self, chip_velocity=(0.0, 0.0)):
+        chip, base = np.zeros((NODES, layout.NODE)), np.zeros((NODES, layout.NODE))
+        chip[:, layout.NM] = base[:, layout.NM] = 1e-5
+        chip[:, layout.NVX], chip[:, layout.NVY] = chip_velocity
+        return chip.ravel(), base.ravel()
+
+    def pull(self, chip, base):
+        return pairs.pull_together(self.state, chip, base, self.closing, self.normal, self.slot, COHESION, 1.0, FRAME)
+
+    def open(self, direction, distance, steps=2000):
+        """Move the upper copy by a distance along a direction; sum the work done on the tractions."""
+        velocity = np.array(direction) * distance / steps / FRAME.time_step
+        for _ in range(steps):
+            chip, base = self.bodies(velocity)
+            self.pull(chip, base)
+            self.work += pairs.move_pairs(self.state, chip, base, FRAME)
+
+    @property
+    def alive(self):
+        return bool(self.state[pairs.ALIVE, 0])
+
+
+@pytest.mark.parametrize("angle", [0.0, 30.0, 60.0, 90.0])
+def test_work_of_a_straight_opening_is_the_toughness(angle):
+    """Both modes have the same toughness; in mixed mode the area criterion breaks the pair before it is all used."""
+    interface = Interface()
+    direction = (np.sin(np.radians(angle)), np.cos(np.radians(angle)))
+    interface.open(direction, 1.5 * COHESION.opening_critical)
+    assert not interface.alive
+    assert interface.work / AREA == pytest.approx(ZONE.toughness, rel=2e-3)
+    one = interface.state[pairs.MODE_ONE, 0]
+    assert one == pytest.approx({0.0: 1.0, 90.0: 0.0}.get(angle, one), abs=1e-3)
+    assert (0.5 < one < 1.0) if angle == 30.0 else True
+    assert (0.0 < one < 0.5) if angle == 60.0 else True
+
+
+def test_unloading_returns_to_the_origin_along_a_line():
+    interface = Interface()
+    interface.open((0, 1), 0.6 * COHESION.opening_critical)
+    chip, base = interface.bodies()
+    interface.pull(chip, base)
+    top = interface.state[pairs.TRACTION_Y, 0]
+    interface.open((0, -1), 0.3 * COHESION.opening_critical)
+    interface.pull(*interface.bodies())
+    assert interface.state[pairs.TRACTION_Y, 0] == pytest.approx(top / 2, rel=1e-6)
+    assert interface.alive
+
+
+def test_tractions_balance_and_pull_the_bodies_together():
+    interface = Interface()
+    interface.open((0.5, 1), 0.3 * COHESION.opening_critical, steps=10)
+    chip, base = interface.bodies()
+    interface.pull(chip, base)
+    chip, base = chip.reshape(NODES, -1), base.reshape(NODES, -1)
+    for quantity in (layout.NFX, layout.NFY):
+        assert chip[:, quantity].sum() == pytest.approx(-base[:, quantity].sum(), rel=1e-12)
+    assert chip[:, layout.NFY].sum() < 0.0
+    assert chip[:, layout.NFX].sum() < 0.0
+
+
+def test_closed_interface_stops_approach_and_lets_separate():
+    for speed, stopped in ((-1.0, True), (1.0, False)):
+        interface = Interface()
+        interface.state[pairs.UPPER_Y] = -1e-3 * CELL
+        chip, base = interface.bodies((0.5, speed))
+        count = interface.pull(chip, base)
+        assert count == 4
+        assert (interface.slot == -1).all()
+        momentum = (chip + base).reshape(NODES, -1)[:, layout.NVY].sum()
+        change, lost = pairs.push_apart(chip, base, interface.closing, interface.normal, count, FRAME)
+        at = interface.closing[0]
+        assert (chip + base).reshape(NODES, -1)[:, layout.NVY].sum() == pytest.approx(momentum, rel=1e-12)
+        assert chip[at + layout.NVX] == 0.5
+        if stopped:
+            assert chip[at + layout.NVY] == pytest.approx(base[at + layout.NVY])
+            assert change < 0
+        else:
+            assert chip[at + layout.NVY] == speed
+            assert change == lost == 0.0
+
+
+def test_open_interface_lists_no_node():
+    interface = Interface()
+    interface.open((0, 1), 0.1 * COHESION.opening_critical, steps=10)
+    assert interface.pull(*interface.bodies()) == 0

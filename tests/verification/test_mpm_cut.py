@@ -1,0 +1,117 @@
+"""Whole cuts with material points: balances, regimes, repeatability."""
+
+import math
+
+import numpy as np
+import pytest
+
+from orthocut.experiments.mpm_cutting import simulate
+from orthocut.measure.guard import Diverged
+from orthocut.params.case import load
+from orthocut.theory import touching
+
+QUICK = {"points_per_depth": 8}
+
+
+@pytest.fixture(scope="module")
+def hardening():
+    """Cut of the hardening material in the bending regime, coarser than the quick study."""
+    return simulate(load("mpm", {"points_per_depth": 6}))
+
+
+def test_energy_of_the_tool_is_accounted_for(hardening):
+    """The balance closes to half a per cent at every travel beyond one depth of cut, not only at the end."""
+    residual = hardening.energy_residual / hardening.work_tool
+    late = hardening.tool_travel > 1.0 * 0.9e-3
+    print(
+        f"energy closure at the end {float(hardening.energy_closure):+.2e}, worst {float(abs(residual[late]).max()):.1e}"
+    )
+    assert float(abs(residual[late]).max()) < 5e-3
+    parts = [name for name in hardening.data_vars if str(name).startswith("energy_") and hardening[name].ndim == 1]
+    assert {"energy_plastic", "energy_cohesive", "energy_elastic", "energy_numerical"} <= set(parts)
+    assert float(hardening.energy_plastic[-1]) > 0.3 * float(hardening.work_tool[-1])
+
+
+def test_momentum_is_that_of_tool_and_clamp(hardening):
+    """In the steady state the clamp carries what the tool applies, up to the momentum that the chip takes along."""
+    steady = hardening.tool_travel > 6 * 0.9e-3
+    for direction in ("cutting", "thrust"):
+        force = hardening[f"force_{direction}"][steady].mean()
+        reaction = hardening[f"reaction_{direction}"][steady].mean()
+        assert float(reaction) == pytest.approx(-float(force), abs=0.02 * float(hardening.force_cutting_mean))
+
+
+def test_frictionless_chip_pushes_along_the_normal_of_the_rake_face(hardening):
+    loaded = hardening.force_cutting_chip > 100.0
+    ratio = (hardening.force_thrust_chip / hardening.force_cutting_chip)[loaded]
+    np.testing.assert_allclose(ratio, -math.tan(math.radians(30)), rtol=1e-10)
+
+
+def test_cohesive_work_is_the_toughness_times_the_crack(hardening):
+    window = slice(250, None)
+    work = float(hardening.energy_cohesive[window][-1] - hardening.energy_cohesive[window][0])
+    advance = float(hardening.crack_tip[window][0] - hardening.crack_tip[window][-1])
+    assert work / advance == pytest.approx(2000.0, rel=0.05)
+    assert 0.7 < float(hardening.mode_one_fraction) < 1.0
+
+
+def test_hardening_chip_bends_ahead_of_the_tool(hardening):
+    assert float(hardening.touching) == 0.0
+    assert float(hardening.crack_gap_mean) > 0.5 * 0.9e-3
+
+
+def test_particles_fill_space(hardening):
+    """Neighbours along the chip stay as far apart as their deformation gradients say."""
+    last = hardening.isel(snapshot=-1)
+    x, y = last.point_x.values, last.point_y.values
+    first = hardening.isel(snapshot=0)
+    spacing = 2 * float(hardening.point_half_width)
+    column = np.round(first.point_x.values / spacing - 0.5).astype(int)
+    row = np.round(first.point_y.values / spacing - 0.5).astype(int)
+    place = {(i, j): p for p, (i, j) in enumerate(zip(column, row, strict=True))}
+    chip = [(p, place[i + 1, j]) for (i, j), p in place.items() if 0 <= j and 20 < i < 80 and (i + 1, j) in place]
+    a, b = np.array(chip).T
+    gradient = last.point_deformation.values.reshape(-1, 2, 2)
+    expected = 0.5 * (gradient[a] + gradient[b])[:, :, 0] * spacing
+    actual = np.stack([x[b] - x[a], y[b] - y[a]], axis=-1)
+    mismatch = np.linalg.norm(actual - expected, axis=1).mean() / spacing
+    assert mismatch < 0.02
+
+
+@pytest.mark.parametrize("depth", ["0.5 mm", "1 mm"])
+def test_touching_force_is_that_of_the_shear_plane(depth):
+    """Perfectly plastic, frictionless, rake angle 30 degrees: within 15 % of Nairn (2015), eq (15)."""
+    case = load("mpm", {"cut_depth": depth, "modulus_tangent": "0 MPa", **QUICK})
+    result = simulate(case)
+    theory = touching.solve(case.material, case.interface, case.tool, case.cut_depth)
+    assert float(result.touching) == 1.0
+    assert float(result.force_cutting_mean) == pytest.approx(theory.force_cutting, rel=0.15)
+
+
+SHORT = {"points_per_depth": 4, "length_ratio": 8.0, "travel_ratio": 4.0, "window_ratio": 2.0}
+
+
+def test_repeat_gives_the_same_bits():
+    first, second = (simulate(load("mpm", SHORT)) for _ in range(2))
+    for name in first.variables:
+        np.testing.assert_array_equal(first[name].values, second[name].values, err_msg=str(name))
+
+
+def test_friction_is_paid_for():
+    smooth, rough = (simulate(load("mpm", {**SHORT, "tool.friction": friction})) for friction in (0.0, 0.3))
+    assert float(smooth.energy_friction[-1]) == pytest.approx(0.0, abs=1e-9)
+    assert float(rough.energy_friction[-1]) > 0.02 * float(rough.work_tool[-1])
+    assert float(rough.force_cutting_mean) > float(smooth.force_cutting_mean)
+    assert abs(float(rough.energy_closure)) < 0.01
+
+
+def test_progress_rises_to_one():
+    seen = []
+    simulate(load("mpm", SHORT), seen.append)
+    assert seen[-1] == 1.0
+    assert seen == sorted(seen)
+
+
+def test_unstable_time_step_is_diagnosed():
+    with pytest.raises(Diverged, match="courant"):
+        simulate(load("mpm", {**SHORT, "courant": 1.0, "strength": "400 MPa", "toughness": "10 J/m^2"}))
