@@ -7,7 +7,7 @@ for a tool that moves towards -x: (cos a, -sin a) for the rake face, (0, 1) for 
 
 import math
 
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import part
 from orthocut.kernels.mpm.layout import (
     BASE,
     BLOCK,
@@ -31,7 +31,7 @@ from orthocut.kernels.mpm.layout import (
 from orthocut.kernels.mpm.shape import nearest_node
 
 
-@jit
+@part
 def face_of(body, wedge):
     """Unit normal into the tool and direction away from the tip of the face that a body meets."""
     if body == CHIP:
@@ -41,7 +41,7 @@ def face_of(body, wedge):
     return -s, c, c, s
 
 
-@jit
+@part
 def list_near_points(near, points, blocks, body, wedge, tip, reach):
     """List the points of a body that are within reach of their face of the tool.
 
@@ -80,7 +80,7 @@ def list_near_points(near, points, blocks, body, wedge, tip, reach):
     return count
 
 
-@jit
+@part
 def mark_contact_nodes(marked, grid, points, near, near_count, body, wedge, tip, frame):
     """List the nodes of a body that serve a point which reaches through its face of the tool.
 
@@ -133,7 +133,7 @@ def mark_contact_nodes(marked, grid, points, near, near_count, body, wedge, tip,
     return count
 
 
-@jit
+@part
 def push_with_tool(grid, marked, marked_count, body, wedge, speed, frame):
     """Exchange momentum between the tool and the marked nodes that approach it; Coulomb friction along the face.
 

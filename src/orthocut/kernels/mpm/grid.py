@@ -1,10 +1,10 @@
 """Grid of one body: clearing, and the momentum update."""
 
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import part
 from orthocut.kernels.mpm.layout import NFX, NFY, NM, NMARK, NODE, NPX, NPY, NVX, NVY
 
 
-@jit
+@part
 def clear_grid(grid, extent, frame):
     """Set all quantities to zero on the nodes of an extent (first and last column, first and last row)."""
     for j in range(extent[2], extent[3] + 1):
@@ -13,7 +13,7 @@ def clear_grid(grid, extent, frame):
             grid[at] = 0.0
 
 
-@jit
+@part
 def update_grid(grid, grid_before, extent, frame, last_clamped_row, damping):
     """New velocities of the nodes from momentum, force and damping; clamped nodes stand still.
 

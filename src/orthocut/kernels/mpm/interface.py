@@ -8,7 +8,7 @@ breaks far from the tool. The opening is upper minus lower.
 
 import math
 
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import jit, part
 from orthocut.kernels.laws.cohesive_cubic import energy_released, traction_over_opening
 from orthocut.kernels.mpm.layout import NFX, NFY, NM, NODE, NPX, NPY, NVX, NVY
 
@@ -23,13 +23,13 @@ FAILED_AT = 12  # time of failure [s]
 INTERFACE_ROWS = 13
 
 
-@jit
+@part
 def pair_area(frame):
     """Area of a pair per unit width; there are two pairs a cell [m]."""
     return 0.5 * frame.cell
 
 
-@jit
+@part
 def _locate(x, y, frame):
     """Column and row of the cell around a place, kept inside of the grid, and the place in the cell."""
     x = (x - frame.origin_x) * frame.inv_cell
@@ -39,7 +39,7 @@ def _locate(x, y, frame):
     return i, j, x - i, y - j
 
 
-@jit
+@part
 def _weights(grid, x, y, frame):
     """Offsets of the lower and upper left nodes around a place, and the weights by mass of the four nodes."""
     i, j, rx, ry = _locate(x, y, frame)
@@ -54,7 +54,7 @@ def _weights(grid, x, y, frame):
     return at, above, w00 * scale, w10 * scale, w01 * scale, w11 * scale
 
 
-@jit
+@part
 def spread(grid, x, y, force_x, force_y, frame):
     """Share a force at a place among the nodes around it by mass."""
     at, above, w00, w10, w01, w11 = _weights(grid, x, y, frame)
@@ -68,7 +68,7 @@ def spread(grid, x, y, force_x, force_y, frame):
     grid[above + NODE + NFY] += w11 * force_y
 
 
-@jit
+@part
 def sample(grid, x, y, frame):
     """Velocity at a place from the nodes around it that have mass [m/s]."""
     at, above, w00, w10, w01, w11 = _weights(grid, x, y, frame)
@@ -77,7 +77,7 @@ def sample(grid, x, y, frame):
     return vx, vy
 
 
-@jit
+@part
 def set_normals(interface):
     """Normals of the living pairs from central differences of the midpoints of their living neighbours."""
     count = interface.shape[1]
@@ -94,7 +94,7 @@ def set_normals(interface):
             interface[NORMAL_Y, k] = tx / length
 
 
-@jit
+@part
 def pull_together(interface, chip, base, closing, closing_normal, closing_slot, cohesion, time, frame):
     """Add the tractions of all living pairs to the nodes; list the nodes where the interface is closed.
 
@@ -175,7 +175,7 @@ def pull_together(interface, chip, base, closing, closing_normal, closing_slot, 
     return count
 
 
-@jit
+@part
 def push_apart(chip, base, closing, closing_normal, count, frame):
     """Exchange normal momentum between chip and base at nodes around closed pairs, where they approach each other.
 
@@ -210,7 +210,7 @@ def push_apart(chip, base, closing, closing_normal, count, frame):
     return change, lost
 
 
-@jit
+@part
 def move_pairs(interface, chip, base, frame):
     """Move both copies of all living pairs with the velocities at the end of the step.
 

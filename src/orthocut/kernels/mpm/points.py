@@ -7,7 +7,7 @@ pairs let points drift away from their deformation gradients.
 
 import math
 
-from orthocut.kernels.jit import jit
+from orthocut.kernels.jit import jit, part
 from orthocut.kernels.laws.neo_hookean_j2 import energy_elastic, energy_plastic, pressure_kirchhoff, update
 from orthocut.kernels.mpm.layout import (
     BLOCK,
@@ -42,7 +42,7 @@ from orthocut.kernels.mpm.shape import gimp_weights, nearest_node
 from orthocut.kernels.mpm.transfers import gather_point, scatter_point
 
 
-@jit
+@part
 def weigh_lanes(work, frame):
     """Shape functions of each lane and the lower left of its 3 x 3 nodes."""
     origin_x, origin_y, inv_cell = frame.origin_x, frame.origin_y, frame.inv_cell
@@ -69,7 +69,7 @@ def weigh_lanes(work, frame):
         work[CORNER * LANES + lane] = (j - 1.0) * count_x + (i - 1.0)
 
 
-@jit
+@part
 def update_lanes(work, solid, frame, time_step):
     """Move each lane and update deformation, state and Kirchhoff stress (times initial volume over cell size)."""
     modulus_bulk, modulus_shear = solid.modulus_bulk, solid.modulus_shear
@@ -117,7 +117,7 @@ def update_lanes(work, solid, frame, time_step):
         work[TXY * LANES + lane] = volume * sxy
 
 
-@jit
+@part
 def advance_points(points, blocks, grid, grid_next, work, extent, solid, frame, time_step):
     """Carry the points of one body through a step.
 
