@@ -15,5 +15,6 @@ include: "workflow/rules/figures.smk"
 rule all:
     default_target: True
     input:
+        rules.runs.input,
         rules.figures.input,
         rules.tables.input,

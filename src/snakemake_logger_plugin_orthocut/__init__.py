@@ -17,6 +17,19 @@ from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_orthocut.clock import Clock, words
 
+CHATTER = (
+    "Assuming unrestricted",
+    "Building DAG",
+    "Complete log",
+    "Conda environments",
+    "Provided",
+    "Rules claiming",
+    "Select jobs",
+    "Touching output",
+    "Using shell",
+)
+"""Beginnings of remarks that tell a user nothing."""
+
 
 class LogHandler(LogHandlerBase):
     """Handler of Snakemake's log records."""
@@ -58,8 +71,14 @@ class LogHandler(LogHandlerBase):
             self._finish(record.job_id)
         elif event == LogEvent.JOB_ERROR or record.levelno >= logging.WARNING:
             self._say(self.formatter.format(record))
-        elif event is None and str(record.msg).startswith("Nothing to be done"):
+        elif event is None:
+            self._remark(str(record.msg or ""))
+
+    def _remark(self, text: str) -> None:
+        if text.startswith("Nothing to be done"):
             self._say("Nothing to do: all results are there and up to date.")
+        elif not text.startswith(CHATTER):
+            self._say(text)
 
     def _begin(self, stats: dict[str, int]) -> None:
         self.clock.begin(stats.get("simulate", 0), stats.get("total", 0))

@@ -1,9 +1,13 @@
-"""One job, one case, one file. Sources and libraries that can change its numbers are parameters of the job."""
+"""One job, one case, one file. Sources and libraries that can change its numbers are parameters of the job.
+
+The kernels are no `ancient` input: Snakemake does not look at the parameters of a job whose ancient input is made anew
+in the same run, and the job would keep the results of the old sources.
+"""
 
 
 rule simulate:
     input:
-        kernels=lambda wildcards: ancient(f"{RESULTS}/kernels/{PLAN.cases[wildcards.case_id].kind}.compiled"),
+        kernels=lambda wildcards: f"{RESULTS}/kernels/{PLAN.cases[wildcards.case_id].kind}.compiled",
     output:
         run=f"{RESULTS}/runs/{{case_id}}.nc",
     log:
@@ -19,3 +23,8 @@ rule simulate:
         sources=lambda wildcards: digest_numbers(PLAN.cases[wildcards.case_id].kind),
     script:
         "../scripts/simulate.py"
+
+
+rule runs:
+    input:
+        expand(f"{RESULTS}/runs/{{case_id}}.nc", case_id=PLAN.cases),

@@ -1,0 +1,159 @@
+"""From a study file to figures: what runs, what runs again, and what does not."""
+
+import contextlib
+import csv
+
+import pytest
+
+from orthocut.io.netcdf import read
+from orthocut.params.study import load_study
+
+pytestmark = pytest.mark.xdist_group("workflow")
+
+
+@contextlib.contextmanager
+def edited(path, old, new):
+    """Replace a text in a file for a while."""
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    try:
+        path.write_text(text.replace(old, new, 1), encoding="utf-8")
+        yield
+    finally:
+        path.write_text(text, encoding="utf-8")
+
+
+def appended(path):
+    """Add a line to a source file for a while."""
+    text = path.read_text(encoding="utf-8")
+    return edited(path, text, text + "\nEDITED = True\n")
+
+
+def test_lint(fresh):
+    done = fresh.snakemake("--lint")
+    assert done.returncode == 0, done.stdout
+    assert "in a good condition" in done.stdout
+
+
+def test_quick_study_plans_every_case_and_figure_once(fresh):
+    study = load_study(fresh.root / "workflow" / "config" / "quick.yaml")
+    cases = {key for sweep in study.cases().values() for key in sweep}
+    planned = fresh.planned("quick")
+    assert planned["simulate"] == len(cases)
+    assert planned["figure"] == len(study.figures)
+    assert planned["collect"] == sum(bool(names) for names in study.figures.values())
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("base_ratio: 1.0", "base_ratio: 1.0 mm", "sweeps.ductile: workpiece.base_ratio = '1.0 mm': must be a number"),
+        ("cut_depth: 0.05 mm", "cut_depth: 0.05", "sweeps.cut: cut_depth = 0.05: needs a unit"),
+        (
+            "yang2018_fig05: [tension]",
+            "yang2018_fig99: [tension]",
+            "yang2018_fig99: no such figure; did you mean yang2018",
+        ),
+        ("yang2018_fig05: [tension]", "yang2018_fig05: []", "yang2018_fig05 = []: this figure needs one sweep or more"),
+        ("figures:", "figures: [", "smoke.yaml, line"),
+    ],
+)
+def test_a_faulty_study_stops_with_one_clear_line(fresh, old, new, words):
+    with edited(fresh.root / "workflow" / "config" / "smoke.yaml", old, new):
+        done = fresh.snakemake("--dry-run")
+    assert done.returncode != 0
+    assert words in done.stdout
+    assert "smoke.yaml" in done.stdout
+    assert "Traceback" not in done.stdout
+
+
+def test_unknown_study(fresh):
+    done = fresh.snakemake("--dry-run", study="nonsense")
+    assert done.returncode != 0
+    assert "nonsense.yaml: cannot be read: No such file" in done.stdout
+
+
+def test_smoke_study_leaves_runs_datasets_figures_and_tables(finished):
+    results = finished.root / "results"
+    study = load_study(finished.root / "workflow" / "config" / "smoke.yaml")
+    cases = {key for sweep in study.cases().values() for key in sweep}
+    assert {path.stem for path in (results / "runs").glob("*.nc")} == cases
+    for figure, sweeps in study.figures.items():
+        assert (results / "figures" / f"{figure}.png").stat().st_size > 5000
+        assert (results / "figures" / f"{figure}.svg").stat().st_size > 5000
+        assert (results / "datasets" / f"{figure}.nc").exists() == bool(sweeps)
+    with open(results / "tables" / "run_times.csv", encoding="utf-8") as file:
+        assert len(list(csv.reader(file))) == len(cases) + 2
+    for case in cases:
+        assert read(results / "runs" / f"{case}.nc").attrs["case_id"] == case
+    assert not list(results.rglob("*.part"))
+
+
+def test_progress_names_cases_counts_them_and_tells_the_time_left(finished):
+    lines = finished.first.stdout.splitlines()
+    assert any(line.endswith(" left") and "simulations" in line for line in lines), finished.first.stdout
+    assert any("ductile" in line and "cases " in line and "left)" in line for line in lines), finished.first.stdout
+
+
+def test_second_run_does_nothing_and_says_so(finished):
+    done = finished.snakemake()
+    assert done.returncode == 0
+    assert "Nothing to do" in done.stdout
+    assert finished.planned() == {}
+
+
+def test_edit_of_a_figure_redraws_and_simulates_nothing(finished):
+    with appended(finished.root / "src" / "orthocut" / "figures" / "palette.py"):
+        planned = finished.planned()
+    assert planned["figure"] == 4
+    assert not {"simulate", "warm", "collect"} & set(planned)
+
+
+@pytest.mark.parametrize(
+    ("source", "count"), [("mpm/solver.py", 1), ("kernels/mpm/grid.py", 1), ("dem/solver.py", 2), ("kernels/jit.py", 3)]
+)
+def test_edit_of_the_physics_simulates_what_it_concerns(finished, source, count):
+    with appended(finished.root / "src" / "orthocut" / source):
+        planned = finished.planned()
+    assert planned["simulate"] == count
+    assert planned["warm"] >= 1
+
+
+def test_edit_of_the_command_line_or_the_plan_reruns_nothing(finished):
+    with appended(finished.root / "src" / "orthocut" / "plan.py"), appended(finished.root / "src/orthocut/cli/run.py"):
+        assert finished.planned() == {}
+
+
+def test_a_changed_value_simulates_one_case_and_comments_none(finished):
+    path = finished.root / "workflow" / "config" / "smoke.yaml"
+    with edited(path, "travel: 5 um", "travel: 6 um"):
+        assert finished.planned()["simulate"] == 1
+    with edited(path, "travel: 5 um", "travel: 0.005 mm  # the same"):
+        assert finished.planned() == {}
+
+
+def test_a_deleted_run_is_simulated_again_to_the_same_bits(finished):
+    results = finished.root / "results"
+    case = next((results / "runs").glob("dem-cutting-*.nc"))
+    before = read(case)
+    case.unlink()
+    assert finished.snakemake().returncode == 0
+    assert read(case).drop_attrs().identical(before.drop_attrs())
+
+
+def test_a_failing_case_is_named_and_leaves_no_file(finished):
+    path = finished.root / "src" / "orthocut" / "experiments" / "mpm_cutting.py"
+    run = next((finished.root / "results" / "runs").glob("mpm-*.nc"))
+    content = run.read_bytes()
+    run.unlink()
+    try:
+        with edited(
+            path, "def simulate(case", "def simulate(*_):\n    raise RuntimeError('it blew up')\n\n\ndef _old(case"
+        ):
+            done = finished.snakemake("--rerun-triggers", "mtime")
+        assert done.returncode != 0
+        assert "RuntimeError: it blew up" in done.stdout
+        assert not run.exists()
+    finally:
+        run.write_bytes(content)
+        finished.snakemake("--touch")
