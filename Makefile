@@ -7,6 +7,10 @@ TEST_JOBS ?= 2
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/installed.stamp
+SHELL := bash
+.SHELLFLAGS := -euo pipefail -c
+PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
+	/^Installing collected/ {print "  unpacking"; fflush()} /^ *(ERROR|error)/ {print; fflush()}'
 
 .PHONY: help figures dry-run report test lint format config clean benchmark
 
@@ -20,8 +24,9 @@ $(STAMP): pyproject.toml constraints.txt
 		  echo "Name another one: make PYTHON=python3.12 ..." >&2; exit 1; }
 	@test -x $(BIN)/python || { echo "creating $(VENV)"; $(PYTHON) -m venv $(VENV); } || \
 		{ echo "cannot create $(VENV); on Debian and Ubuntu: apt install python3-venv" >&2; exit 1; }
-	@echo "installing $$(grep -c == constraints.txt) pinned packages (once, one to three minutes)"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
+	@echo "installing $$(grep -c == constraints.txt) pinned packages, once"
+	@$(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --constraint constraints.txt \
+		--editable '.[dev]' 2>&1 | awk $(PIP_PROGRESS)
 	@touch $@
 	@echo "installed"
 

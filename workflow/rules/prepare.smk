@@ -6,6 +6,7 @@ rule warm:
         touch(f"{RESULTS}/kernels/{{kind}}.compiled"),
     log:
         f"{RESULTS}/logs/warm/{{kind}}.log",
+    priority: 1000
     conda:
         "../envs/orthocut.yaml"
     params:
