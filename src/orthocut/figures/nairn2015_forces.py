@@ -18,8 +18,8 @@ from orthocut.theory import bending, touching
 CAPTION = (
     "Cutting force over depth of cut, both dimensionless, after Nairn (2015), Figs 8 and 11-15. Open symbols: the "
     "tool touches the crack tip; filled: a gap separates them; bars: standard error of the mean. Dotted: touching "
-    "model, eq. (14). Dashed: bending model as printed, eqs (18), (19), with the simulated rubbing forces. Solid: "
-    "bending model with the chip in balance without rubbing."
+    "model, eq. (14). Dashed: bending model as printed, eqs (18), (19), with a straight line through the rubbing "
+    "forces of the runs that bend. Solid: bending model with the chip in balance, without rubbing."
 )
 CURVE_POINTS = 60
 MODELS = ((":", "touching model"), ("--", "bending, paper"), ("-", "bending, consistent"))
@@ -79,21 +79,29 @@ def _symbols(ax, runs: list[xr.Dataset], colour: str) -> None:
         )
 
 
+def _rubbing(runs: list[xr.Dataset], depths: np.ndarray) -> np.ndarray:
+    """Rubbing force at some depths of cut [N/m]: a straight line through that of the runs, as in the paper."""
+    known = [(case_of(run).cut_depth, float(run["force_rubbing_mean"])) for run in runs if "force_rubbing_mean" in run]
+    x, y = np.array([pair for pair in known if math.isfinite(pair[1])]).reshape(-1, 2).T
+    if x.size < 2:
+        return np.full_like(depths, y[0] if y.size else 0.0)
+    return np.maximum(np.polyval(np.polyfit(x, y, 1), depths), 0.0)
+
+
 def _curves(ax, runs: list[xr.Dataset], deepest: float, colour: str) -> None:
-    """Curves of both models; the rubbing force is interpolated between the simulated depths of cut."""
+    """Curves of both models; the paper's form of the bending model is drawn where runs bend."""
     case = case_of(runs[0])
-    known = [(case_of(run).cut_depth, float(run.get("force_rubbing_mean", math.nan))) for run in runs]
-    known = [pair for pair in known if math.isfinite(pair[1])] or [(case.cut_depth, 0.0)]
     blocks = (case.material, case.interface, case.tool)
     depths = np.linspace(deepest / CURVE_POINTS, deepest, CURVE_POINTS)
-    rubbing = np.interp(depths, *zip(*known, strict=True))
+    touched, bent = [run for run in runs if touches(run)], [run for run in runs if not touches(run)]
     solutions = {
-        ":": [touching.solve(*blocks, depth, force) for depth, force in zip(depths, rubbing, strict=True)],
-        "--": [
-            bending.solve(*blocks, depth, force, form="paper") for depth, force in zip(depths, rubbing, strict=True)
-        ],
-        "-": [bending.solve(*blocks, depth, force) for depth, force in zip(depths, rubbing, strict=True)],
+        ":": [touching.solve(*blocks, *pair) for pair in zip(depths, _rubbing(touched, depths), strict=True)],
+        "-": [bending.solve(*blocks, depth) for depth in depths],
     }
+    if bent:
+        depths = depths[depths >= 0.98 * case_of(bent[0]).cut_depth]
+        pairs = zip(depths, _rubbing(bent, depths), strict=True)
+        solutions["--"] = [bending.solve(*blocks, *pair, form="paper") for pair in pairs]
     for style, found in solutions.items():
         x, y = [item.depth_dimensionless for item in found], [item.force_over_toughness for item in found]
         ax.plot(x, y, ls=style, color=colour, lw=0.9)
