@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from orthocut.figures.tables import Table
 
 FIGURES = {
+    "nairn2015_fig03": "nairn2015_fig03",
     "nairn2015_fig04": "nairn2015_fig04",
     "nairn2015_fig05": "nairn2015_fig05",
     "nairn2015_fig07": "nairn2015_fig07",

@@ -24,6 +24,8 @@ UNITLESS = {"depth of cut, surface"}
 def runs_for(name):
     if name in ("nairn2015_fig04", "nairn2015_fig05", "energy_balance", "show"):
         return [mpm_run(snapshots=2, **COARSE)]
+    if name == "nairn2015_fig03":
+        return [mpm_run(snapshots=0, force=5e3 + 9e3 / n, **{"numerics.points_per_depth": n}) for n in (4, 6, 9)]
     if name in SWEEPS:
         return [
             mpm_run(snapshots=0, cut_depth=depth, rake_angle=rake, touching=touching, modulus_tangent=tangent)

@@ -1,0 +1,65 @@
+"""Nairn (2015), Fig. 3B: cutting force over particle size, and the share of the work that the transfers lose."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from orthocut.figures.canvas import cases, nothing, page, styled, values
+from orthocut.figures.palette import SERIES
+from orthocut.figures.sweep import touches
+from orthocut.io.collect import case_of
+
+CAPTION = (
+    "Cutting force over particle size, after Nairn (2015), Fig. 3B, and the share of the tool's work in the second "
+    "half of the cut that transfers between points and grid lose. Bars: standard error of the mean. Lines: straight fits; "
+    "their ends at zero are an estimate of the converged force, and the distance of a run from it is its "
+    "discretisation error. Open symbols: the tool touches the crack tip."
+)
+
+
+@styled
+def draw(dataset: xr.Dataset) -> Figure:
+    """One colour for each depth of cut and tangent modulus."""
+    figure = page(4.4)
+    force, loss = figure.subplots(2, sharex=True)
+    force.set_ylabel("force $F_c/(bG_c)$ [-]")
+    loss.set_ylabel("work lost in transfers [%]")
+    loss.set_xlabel("particle size over depth of cut $1/n$ [-]")
+    groups = defaultdict(list)
+    for run in cases(dataset, "force_cutting_mean", kind="mpm_cutting"):
+        case = case_of(run)
+        groups[case.cut_depth, case.material.modulus_tangent].append(run)
+    if not groups:
+        nothing(force)
+        return figure
+
+    for colour, ((depth, tangent), runs) in zip(SERIES * 9, sorted(groups.items()), strict=False):
+        sizes = np.array([1.0 / case_of(run).numerics.points_per_depth for run in runs])
+        toughness = case_of(runs[0]).interface.toughness
+        forces = np.array([float(run["force_cutting_mean"]) for run in runs]) / toughness
+        for run, size, mean in zip(runs, sizes, forces, strict=True):
+            face = "white" if touches(run) else colour
+            error = float(run["force_cutting_error"]) / toughness
+            force.errorbar(size, mean, yerr=error, fmt="o", color=colour, mfc=face, capsize=2, elinewidth=0.8)
+            loss.plot(size, _share_lost(run), "o", color=colour, mfc=face)
+        if len(runs) > 2:
+            ends = np.array([0.0, sizes.max()])
+            force.plot(ends, np.polyval(np.polyfit(sizes, forces, 1), ends), color=colour, lw=0.8)
+        name = f"$h$ = {depth * 1e3:g} mm, $E_T$ = {tangent * 1e-6:g} MPa"
+        force.plot([], [], "o", color=colour, label=name)
+    force.set_xlim(left=0)
+    force.set_ylim(bottom=0)
+    loss.set_ylim(bottom=0)
+    figure.legend(loc="outside upper center", ncols=1)
+    return figure
+
+
+def _share_lost(run: xr.Dataset) -> float:
+    """Energy lost in transfers over the work of the tool, in the second half of the run [%]."""
+    work, lost = values(run, "work_tool"), values(run, "energy_numerical")
+    half = work.size // 2
+    return 100.0 * (lost[-1] - lost[half]) / (work[-1] - work[half])
