@@ -1,7 +1,7 @@
 """Random dense packings by radius scaling to a target pressure.
 
-A cloud of overlapping discs is calmed and settled between smooth walls; then all radii are scaled together until the mean
-stress reaches the target (grain scaling, the usual practice with Yang et al.'s program).
+A cloud of overlapping discs is calmed and settled between smooth walls; then all radii are scaled together until the
+mean stress reaches the target (grain scaling, the usual practice with Yang et al.'s program).
 """
 
 from __future__ import annotations

@@ -11,8 +11,8 @@ from orthocut.kernels.dem.walls import add_wall_forces, find_near_walls, move_wa
 from orthocut.kernels.jit import jit, part
 
 DONE, TOO_FAST, OUTRUN, CROWDED = 0, 1, 2, 3
-"""How a run ended: all steps done; a disc above the speed limit; discs moved out of the list of neighbours between two checks;
-too many neighbours for the list."""
+"""How a run ended: all steps done; a disc above the speed limit; discs moved out of the list of neighbours between two
+checks; too many neighbours for the list."""
 
 CHECK = 10
 """Steps between checks of the list of neighbours."""

@@ -1,7 +1,7 @@
 """Orthogonal cut of a block of bonded discs by a rigid tool (Yang et al. 2018, section 4).
 
-The block stands on y = 0 with its left side at x = 0; both are fixed. The tool enters from the free right side and moves
-towards -x, its tip at the height of the block less the depth of cut.
+The block stands on y = 0 with its left side at x = 0; both are fixed. The tool enters from the free right side and
+moves towards -x, its tip at the height of the block less the depth of cut.
 """
 
 from __future__ import annotations
@@ -58,7 +58,8 @@ def groove_edges(case: DemCutting) -> list[tuple[float, float]]:
     if case.grooves is None:
         return []
     pitch = case.grooves.width + case.grooves.distance
-    count = int((case.packing.width - case.grooves.distance) / pitch + 1e-9)
+    first = case.packing.width - case.grooves.distance - case.grooves.width
+    count = math.floor(first / pitch + 1e-9) + 1
     right = [case.packing.width - case.grooves.distance - k * pitch for k in range(count)]
     return [(edge - case.grooves.width, edge) for edge in right]
 
@@ -125,7 +126,7 @@ def simulate(case: DemCutting, progress: Progress) -> xr.Dataset:
                 *read_tool(scene, ran),
                 *count_cracks(scene),
                 energies(scene, found.energy),
-            )  # fmt: skip
+            )
         )
         if (k + 1) * (SNAPSHOTS - 1) // SAMPLES == len(snapshots):
             snapshots.append(Snapshot(scene.time, tip, scene.places.copy(), found.intact))

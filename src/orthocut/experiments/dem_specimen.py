@@ -62,7 +62,8 @@ def load_specimen(
 
     Returns
     -------
-    samples, peak stress, places at the start, fraction of intact elements at the end, CPU seconds in the solver, start energies
+    samples, peak stress, places at the start, fraction of intact elements at the end, CPU seconds in the solver,
+    energies at the start
     """
     width, height = case.packing.width, case.packing.height
     initial = scene.places.copy()
@@ -99,7 +100,7 @@ def load_specimen(
                 grip,
                 *count_cracks(scene),
                 energies(scene, found.energy),
-            )  # fmt: skip
+            )
         )
         peak = max(peak, stress)
         progress(min(strain / case.strain_max, 1.0))

@@ -49,7 +49,7 @@ def strains(initial: np.ndarray, places: np.ndarray, members: np.ndarray) -> tup
 
 
 def elastic_constants(stress: np.ndarray, axial: np.ndarray, lateral: np.ndarray) -> tuple[float, float]:
-    """Young's modulus [Pa] and Poisson's ratio, from the samples between 10 and 50 % of the peak stress, before the peak.
+    """Young's modulus [Pa] and Poisson's ratio, from the samples at 10 to 50 % of the peak stress before the peak.
 
     Parameters
     ----------

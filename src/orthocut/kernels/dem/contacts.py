@@ -10,8 +10,8 @@ from orthocut.kernels.laws.linear_contact import linear_contact
 def renew_contacts(contacts, joints, position, radius, skin, grid):
     """List the pairs of close discs without a live joint anew; shear forces of old contacts are kept.
 
-    A pair that was installed with an overlap touches at its distance of installation, so that the overlap of the packing
-    stays forgotten when its joint is gone.
+    A pair that was installed with an overlap touches at its distance of installation, so that the overlap of the
+    packing stays forgotten when its joint is gone.
 
     Returns
     -------

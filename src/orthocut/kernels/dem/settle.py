@@ -31,9 +31,9 @@ def add_pushes(force, position, radius, width, height, start, second):
     Returns
     -------
     float array, shape (6,)
-        Sum of contact forces, number of contacts, largest overlap over diameter; sum of force times branch length (twice
-        the area times the pressure); sum of stiffness times radii times branch length (its derivative by a common
-        scaling of the radii); number of wall contacts.
+        Sum of contact forces, number of contacts, largest overlap over diameter; sum of force times branch length
+        (twice the area times the pressure); sum of stiffness times radii times branch length (its derivative by a
+        common scaling of the radii); number of wall contacts.
     """
     sums = np.zeros(6)
     for i in range(radius.size):

@@ -1,7 +1,8 @@
 """Contacts of discs with rigid walls.
 
 A wall is a convex wedge: a tip and two faces without end, given by their outward normals. A tool has two different
-normals, a plane wall twice the same. A disc touches the closest point of the wedge, a face or the tip, and only that one.
+normals, a plane wall twice the same. A disc touches the closest point of the wedge, a face or the tip, and
+only that one.
 """
 
 from orthocut.kernels.dem.layout import (
@@ -40,11 +41,10 @@ def wedge_distance(dx, dy, first_x, first_y, second_x, second_y):
     first_x, first_y, second_x, second_y : float
         Outward normals of both faces.
     """
-    # The bisector of the normals points out of the tip. Seen from the tip, the first face lies on the first normal's side.
     first = dx * first_x + dy * first_y
     second = dx * second_x + dy * second_y
     cosine = first_x * second_x + first_y * second_y
-    # Distances along the faces, positive on the face: a face lies on the inner side of the other.
+    # Along each face, from the tip, positive on the face: a face lies on the inner side of the other.
     along_first = cosine * first - second
     along_second = cosine * second - first
     squared = dx * dx + dy * dy

@@ -1,9 +1,9 @@
 """Flat joint: two rigid flat faces glued to two discs, with an elastic, breakable interface between them.
 
 Yang et al. (2018), eqs 1-6, after Potyondy's flat-joint model. Tension is positive, the gap is positive when open. The
-faces have half-length R and are cut into equal elements of half-length a. With the normal n from the first to the second
-disc and the tangent s = n turned by +90 degrees, the gap at the place y along s is g(y) = gap - rotation y, where
-rotation is the rotation of the second disc less that of the first. Unit width out of the plane.
+faces have half-length R and are cut into equal elements of half-length a. With the normal n from the first to the
+second disc and the tangent s = n turned by +90 degrees, the gap at the place y along s is g(y) = gap - rotation y,
+where rotation is the rotation of the second disc less that of the first. Unit width out of the plane.
 
 The paper's eq. 5 prints a minus sign for closed unbonded elements; with tension positive it must be +k_n g.
 """
@@ -93,11 +93,10 @@ def element_closure(bonded, gap, rotation, half_length, stiffness):
     low = gap - spread
     high = gap + spread
     closed = 1.0
-    if bonded == 0.0:
-        if high > 0.0:
-            closed = low / (low - high) if low < 0.0 else 0.0
-            high = 0.0
-            low = low if low < 0.0 else 0.0
+    if bonded == 0.0 and high > 0.0:
+        closed = low / (low - high) if low < 0.0 else 0.0
+        high = 0.0
+        low = low if low < 0.0 else 0.0
     length = 2.0 * half_length * closed
     side = 1.0 if rotation > 0.0 else -1.0
     force = 0.5 * stiffness * (low + high) * length

@@ -1,0 +1,184 @@
+"""Whole small tests and cuts: agreement of stresses, energy balance, cracks, identical bits, diverging runs."""
+
+import hashlib
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from orthocut.dem.packing import pack
+from orthocut.experiments import dem_compression, dem_cutting, dem_tension
+from orthocut.io.netcdf import read, write
+from orthocut.measure.guard import Diverged
+from orthocut.params.case import load
+from orthocut.variables import VARIABLES
+
+SPECIMEN = {"packing.width": "0.25 mm", "packing.height": "0.5 mm", "grip_speed": "20 mm/s"}
+BLOCK = {"packing.width": "0.4 mm", "packing.height": "0.3 mm", "cut_depth": "0.06 mm", "travel": "0.06 mm"}
+EXPERIMENTS = {"dem_tension": dem_tension, "dem_compression": dem_compression, "dem_cutting": dem_cutting}
+
+
+def simulate(kind, **values):
+    return EXPERIMENTS[kind].simulate(load(kind, values), lambda fraction: None)
+
+
+@pytest.fixture(scope="module")
+def tension():
+    return simulate("dem_tension", **SPECIMEN)
+
+
+@pytest.fixture(scope="module")
+def compression():
+    return simulate("dem_compression", **SPECIMEN, strain_max=0.008)
+
+
+@pytest.fixture(scope="module")
+def cut():
+    return simulate("dem_cutting", **BLOCK)
+
+
+def test_every_variable_stands_in_the_table_and_survives_a_file(tension, compression, cut, tmp_path):
+    for run in (tension, compression, cut):
+        assert set(run.variables) <= set(VARIABLES)
+        write(run, tmp_path / "run.nc")
+        back = read(tmp_path / "run.nc")
+        for name in run.variables:
+            np.testing.assert_array_equal(run[name].values, back[name].values)
+
+
+@pytest.mark.parametrize("which", ["tension", "compression"])
+def test_stress_in_the_specimen_agrees_with_the_grips(which, request):
+    run = request.getfixturevalue(which)
+    stress, grip = run.stress_axial.values, run.stress_grip.values
+    peak = int(np.nanargmax(stress))
+    loaded = np.flatnonzero(stress[: peak + 1] > 0.3 * stress[peak])
+    assert len(loaded) > 20
+    assert grip[loaded] == pytest.approx(stress[loaded], rel=0.02)
+
+
+def test_tests_end_after_a_clear_peak_and_pad_the_history(tension, compression):
+    for run in (tension, compression):
+        stress = run.stress_axial.values[np.isfinite(run.stress_axial.values)]
+        assert len(run.sample) == 200
+        assert len(stress) < 200
+        assert stress[-1] < 0.7 * float(run.strength_ultimate)
+        assert float(run.strength_ultimate) >= np.nanmax(run.stress_axial.values)
+
+
+def test_specimen_is_stronger_in_compression_than_in_tension(tension, compression):
+    assert float(compression.strength_ultimate) > 2 * float(tension.strength_ultimate)
+    assert float(compression.cracks_tension_total + compression.cracks_shear_total) > float(
+        tension.cracks_tension_total + tension.cracks_shear_total
+    )
+
+
+@pytest.mark.parametrize(("which", "limit"), [("tension", 0.03), ("compression", 0.01), ("cut", 0.005)])
+def test_energy_balance_closes(which, limit, request):
+    run = request.getfixturevalue(which)
+    assert 0 < float(run.energy_closure) < limit
+    spent = [run[f"energy_{name}"].values for name in ("damping", "friction", "fracture")]
+    for series in spent:
+        finite = series[np.isfinite(series)]
+        assert finite[-1] > 0
+        assert np.diff(finite).min() > -1e-6 * float(run.work_tool.max())
+
+
+def test_cut_breaks_joints_in_both_modes_and_logs_them(cut):
+    modes = cut.crack_mode.values
+    assert (modes == 0).sum() == int(cut.cracks_tension_total) > 0
+    assert (modes == 1).sum() == int(cut.cracks_shear_total) > 0
+    assert (np.diff(cut.crack_time.values) >= 0).all()
+    assert cut.crack_time.values[-1] <= cut.time.values[-1]
+    assert (np.abs(cut.crack_normal.values) <= np.pi / 2).all()
+    lost = (1 - cut.bond_intact.values[-1]).sum() * load("dem").joint.elements
+    assert lost == pytest.approx(len(modes))
+    assert len(np.unique(cut.crack_bond.values)) == (cut.bond_intact.values[-1] < 1).sum()
+
+
+def test_tool_pushes_the_block_along_its_motion_and_reports_it(cut):
+    assert float(cut.force_cutting_mean) == pytest.approx(float(cut.force_cutting.mean()), rel=1e-12)
+    assert float(cut.force_cutting_mean) > 0
+    assert float(cut.force_cutting_error) > 0
+    assert float(cut.force_cutting_peak) >= float(cut.force_cutting.max())
+    assert cut.tool_travel.values[-1] == pytest.approx(0.06e-3, rel=1e-3)
+    work = np.sum(cut.force_cutting.values * np.diff(cut.tool_travel.values, prepend=0.0))
+    assert cut.work_tool.values[-1] == pytest.approx(work, rel=1e-6)
+    assert len(cut.force_cutting) == 500
+    assert cut.tool_tip_snapshot.values[-1] == pytest.approx(cut.tool_tip.values[-1])
+
+
+def test_fixed_discs_stay_and_grooves_have_the_depth_of_the_cut():
+    case = load("dem_cutting", {**BLOCK, "packing.width": "0.6 mm", "grooves": {}})
+    packed = pack(case.packing)
+    keep = dem_cutting.select_discs(case, packed)
+    (left, right), *more = dem_cutting.groove_edges(case)
+    assert (left, right) == pytest.approx((0.34e-3, 0.4e-3))
+    assert more == [pytest.approx((0.08e-3, 0.14e-3))]
+    removed = packed.y[~keep]
+    assert 0 < len(removed) < 0.1 * len(packed.x)
+    assert removed.min() > case.packing.height - case.cut_depth
+    run = simulate("dem_cutting", **{**BLOCK, "packing.width": "0.6 mm", "travel": "0.01 mm", "grooves": {}})
+    x, y, radius = run.disc_x.values, run.disc_y.values, run.disc_radius.values
+    fixed = (x[0] - radius < 0) | (y[0] - radius < 0)
+    assert fixed.sum() > 10
+    assert np.array_equal(x[0, fixed], x[-1, fixed])
+    assert np.array_equal(y[0, fixed], y[-1, fixed])
+
+
+def test_tool_starts_where_it_touches():
+    scene = dem_cutting.make_scene(load("dem_cutting", BLOCK), pack(load("dem_cutting", BLOCK).packing))
+    tip_x, tip_y = scene.walls.rows[0, :2]
+    normal = scene.walls.rows[0, 2:4]
+    gap = (scene.places - [tip_x, tip_y]) @ normal - scene.radius
+    above = scene.places[:, 1] > tip_y - scene.radius
+    assert gap[above].min() == pytest.approx(0, abs=1e-12)
+
+
+def test_progress_rises_to_one():
+    seen = []
+    dem_tension.simulate(load("dem_tension", {**SPECIMEN, "strain_max": 1e-4}), seen.append)
+    assert seen == sorted(seen)
+    assert seen[-1] == 1
+
+
+def test_repeat_gives_identical_bits(cut):
+    again = simulate("dem_cutting", **BLOCK)
+    for name in cut.variables:
+        assert cut[name].values.tobytes() == again[name].values.tobytes(), name
+
+
+SCRIPT = """
+import hashlib
+import numpy as np
+from orthocut.dem.setup import build, wall
+from orthocut.dem.solver import advance
+from orthocut.params.dem import FlatJoint
+random = np.random.default_rng(1)
+x, y = 19e-6 * np.mgrid[:12, :12].reshape(2, -1) + random.uniform(-1e-6, 1e-6, (2, 144))
+tool = wall((240e-6, 150e-6), ((-1.0, 0.0), (0.0, -1.0)), (-5.0, 0.0), 0.5, 107e9)
+fixed = np.flatnonzero(x < 10e-6)
+scene = build(x, y, random.uniform(9e-6, 10e-6, 144), FlatJoint(), [tool], fixed, 0 * fixed)
+assert advance(scene, 6000) == 0
+assert scene.cracks.count[0] > 20
+parts = (scene.position, scene.velocity, scene.joints.state, scene.contacts.shear, scene.walls.rows, scene.tally)
+print(hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest())
+"""
+
+
+def test_fresh_compilation_and_cached_code_give_identical_bits(tmp_path):
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    prints = [
+        subprocess.run(
+            [sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True, check=True
+        ).stdout.strip()
+        for _ in range(2)
+    ]
+    assert len(prints[0]) == 2 * hashlib.sha256().digest_size
+    assert prints[0] == prints[1]
+
+
+def test_too_long_a_time_step_stops_with_a_diagnosis():
+    with pytest.raises(Diverged, match=r"step \d+, time .*time_step_factor"):
+        simulate("dem_tension", **SPECIMEN, time_step_factor=1.0)
