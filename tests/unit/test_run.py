@@ -1,0 +1,83 @@
+"""The door to the simulations, the plan of a study, and what importing costs."""
+
+import subprocess
+import sys
+import types
+
+import pytest
+import xarray as xr
+
+from orthocut.params.case import KINDS, load
+from orthocut.plan import load_plan
+from orthocut.run import SMALLEST, estimate_seconds, run_case
+
+
+@pytest.fixture
+def experiment(monkeypatch):
+    """Put a fake in the place of the MPM experiment; return what it received."""
+    received = {}
+    module = types.ModuleType("orthocut.experiments.mpm_cutting")
+
+    def simulate(case, progress):
+        received["case"] = case
+        progress(0.5)
+        return xr.Dataset(attrs=received.get("attrs", {}))
+
+    module.simulate = simulate
+    monkeypatch.setitem(sys.modules, module.__name__, module)
+    return received
+
+
+def test_run_case_dispatches_by_kind_and_reports_progress(experiment):
+    seen = []
+    dataset = run_case(load("mpm"), seen.append)
+    assert experiment["case"] == load("mpm")
+    assert seen == [0.5]
+    assert dataset.attrs["wall_time_s"] >= 0
+
+
+def test_run_case_keeps_the_time_that_the_experiment_measured(experiment):
+    experiment["attrs"] = {"wall_time_s": 12.0}
+    assert run_case(load("mpm")).attrs["wall_time_s"] == 12.0
+
+
+def test_every_kind_has_a_smallest_case_and_a_cost():
+    assert set(SMALLEST) == set(KINDS)
+    for kind in KINDS:
+        assert estimate_seconds(load(kind, SMALLEST[kind])) < estimate_seconds(load(kind))
+
+
+def test_cost_grows_as_the_work_does():
+    coarse, fine = (estimate_seconds(load("mpm", {"points_per_depth": n})) - 3 for n in (8, 16))
+    assert fine / coarse == pytest.approx(8, rel=1e-6)
+    coarse, fine = (estimate_seconds(load("dem", {"radius_min": f"{r} um"})) - 3 for r in (20, 10))
+    assert fine / coarse == pytest.approx(8, rel=1e-6)
+
+
+def test_plan_holds_each_case_once(tmp_path):
+    path = tmp_path / "s.yaml"
+    path.write_text(
+        "title: t\n"
+        "sweeps:\n"
+        "  a: {base: {kind: mpm}, axes: {product: {cut_depth: [0.9 mm, 1 mm]}}}\n"
+        "  b: {base: {kind: mpm}}\n"
+        "figures: {energy_balance: [b, a], nairn2015_fig07: []}\n"
+    )
+    plan = load_plan(path)
+    assert len(plan.cases) == 2
+    assert plan.figures == {"energy_balance": list(plan.cases), "nairn2015_fig07": []}
+    assert set(plan.announcement()) == set(plan.cases)
+
+
+@pytest.mark.parametrize(
+    ("module", "absent"),
+    [
+        ("orthocut.cli", ("numba", "xarray", "matplotlib", "pint", "numpy", "snakemake")),
+        ("orthocut.run", ("numba", "xarray", "matplotlib", "pint")),
+        ("orthocut.plan", ("numba",)),
+    ],
+)
+def test_imports_stay_light(module, absent):
+    code = f"import sys, {module}; print(*(name for name in {absent} if name in sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == ""
