@@ -114,7 +114,7 @@ def test_momentum_is_conserved_while_the_specimen_flies_apart(packed):
     before = momenta(scene)
     run(scene, 3000)
     assert min(count_cracks(scene)) > 20
-    assert scene.contacts.start[-1] > 100
+    assert scene.contacts.start[-1] > 20
     assert np.abs(momenta(scene) - before) / scale == pytest.approx(0, abs=1e-12)
 
 
@@ -153,11 +153,12 @@ def test_impulse_of_the_tool_is_the_momentum_of_a_free_block(packed):
     assert balance.work_tool == pytest.approx(20.0 * row[layout.WALL_SUM_X] * scene.time_step, rel=1e-9)
 
 
-def test_list_of_contacts_misses_nothing_while_a_block_falls_apart(packed):
-    scene = build(packed.x, packed.y, packed.radius, joint(damping=0.0))
+def test_list_of_contacts_misses_nothing_while_two_blocks_collide(packed):
+    right = packed.x > packed.x.mean()
+    scene = build(packed.x + 20e-6 * right, packed.y, packed.radius, joint(damping=0.0))
     random = np.random.default_rng(7)
-    scene.speeds[:, :2] = random.normal(scale=40.0, size=(len(packed.x), 2))
-    scene.speeds[:, :2] -= 100.0 * (scene.places / scene.places.max() - 0.5)
+    scene.speeds[:, :2] = random.normal(scale=10.0, size=(len(packed.x), 2))
+    scene.speeds[right, 0] -= 100.0
     touching = 0
     for _ in range(20):
         run(scene, 73)
