@@ -9,6 +9,7 @@ from __future__ import annotations
 import logging
 import sys
 import time
+from pathlib import Path
 from typing import Any
 
 from snakemake.logging import ColorizingTextHandler, DefaultFilter, DefaultFormatter
@@ -29,6 +30,18 @@ CHATTER = (
     "Using shell",
 )
 """Beginnings of remarks that tell a user nothing."""
+
+REPETITIONS = ("RuleException:\nCalledProcessError", "Exiting because")
+"""Beginnings of errors that repeat what the failed job told."""
+
+
+def last_line(path: str) -> str:
+    """Last line of a log file: what a failed job said at the end."""
+    try:
+        lines = Path(path).read_text(encoding="utf-8", errors="replace").split("\n")
+    except OSError:
+        return "no log"
+    return next((line for line in reversed(lines) if line.strip()), "empty log")
 
 
 class LogHandler(LogHandlerBase):
@@ -69,8 +82,12 @@ class LogHandler(LogHandlerBase):
             self._start(record)
         elif event == LogEvent.JOB_FINISHED:
             self._finish(record.job_id)
-        elif event == LogEvent.JOB_ERROR or record.levelno >= logging.WARNING:
-            self._say(self.formatter.format(record))
+        elif event == LogEvent.JOB_ERROR:
+            self._fail(record)
+        elif record.levelno >= logging.WARNING:
+            text = self.formatter.format(record)
+            if not text.startswith(REPETITIONS):
+                self._say(text)
         elif event is None:
             self._remark(str(record.msg or ""))
 
@@ -117,6 +134,12 @@ class LogHandler(LogHandlerBase):
         self._say(f"{count} {what}  ({words(seconds)}; {cases}{self.clock.left()})")
         if self.bar is not None:
             self.bar.update(self.task, completed=self.clock.jobs_done, description=self.clock.left())
+
+    def _fail(self, record: logging.LogRecord) -> None:
+        what, case, _ = self.jobs.pop(record.jobid, (record.rule_name, "", 0.0))
+        self.clock.give_up(case)
+        logs = list(record.log or [])
+        self._say(f"FAILED {what}: {last_line(logs[0]) if logs else record.msg}  (log: {', '.join(logs)})")
 
     def _say(self, text: str) -> None:
         if not text:

@@ -60,6 +60,11 @@ class Clock:
             self._running.pop(case, None)
             self._finished[case] = seconds
 
+    def give_up(self, case: str) -> None:
+        """Note that a case failed: nothing is left to do for it."""
+        if self._running.pop(case, None) is not None:
+            self.cases_total -= 1
+
     def _scale(self, kind: str) -> float:
         """Measured over estimated seconds of the finished cases of a kind, of all kinds, or 1."""
         for chosen in (lambda case: method(case) == kind, lambda case: True):

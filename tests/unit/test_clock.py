@@ -114,3 +114,16 @@ def test_handler_drops_chatter_and_keeps_the_rest(handler, capsys):
         "something new",
         "it is broken",
     ]
+
+
+def test_handler_names_a_failed_case_and_its_reason(handler, tmp_path, capsys):
+    log = tmp_path / "a.log"
+    log.write_text("Traceback\nDiverged: energy is not finite\n\n")
+    send(handler, cases={"mpm-a": ("depths: cut_depth 1 mm", 10.0)})
+    send(handler, event=LogEvent.RUN_INFO, stats={"simulate": 1, "total": 2})
+    send(handler, event=LogEvent.JOB_INFO, jobid=7, rule_name="simulate", wildcards={"case_id": "mpm-a"})
+    send(handler, level=logging.ERROR, event=LogEvent.JOB_ERROR, jobid=7, rule_name="simulate", log=[str(log)])
+    assert capsys.readouterr().err.splitlines()[1:] == [
+        f"FAILED depths: cut_depth 1 mm: Diverged: energy is not finite  (log: {log})"
+    ]
+    assert handler.clock.seconds_left() == 0
