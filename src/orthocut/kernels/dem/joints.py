@@ -113,15 +113,21 @@ def open_block(block, work, elements):
 
 @part
 def respond_element(block, work, e, elements, stiffness_ratio, strength_tensile, cohesion, tangent, friction):
-    """Add the response of element `e` of each joint; return the number of breaks and the work of friction."""
+    """Add the response of element `e` of each joint; return the number of breaks and the work of friction.
+
+    The views of the element's own fields keep the loop free of offsets that depend on `e`, with which it would not
+    vectorise.
+    """
     breaks = 0
     loss = 0.0
+    stress = block[STRESS_SHEAR + e * LANES : STRESS_SHEAR + (e + 1) * LANES]
+    bonds = block[BONDED + e * LANES : BONDED + (e + 1) * LANES]
     for k in range(LANES):
         stiffness = block[STIFFNESS + k]
         half_length = block[HALF_LENGTH + k] / elements
         rotation = block[BEND + k]
-        bonded = block[BONDED + e * LANES + k]
-        before = block[STRESS_SHEAR + e * LANES + k]
+        bonded = bonds[k]
+        before = stress[k]
         offset = (2 * e + 1 - elements) * half_length
         gap = work[W_X + k] - rotation * offset
         trial = before + stiffness / stiffness_ratio * work[W_SLIP + k]
@@ -140,8 +146,8 @@ def respond_element(block, work, e, elements, stiffness_ratio, strength_tensile,
         work[W_MODE + k] = mode
         breaks += mode != 0.0
 
-        block[BONDED + e * LANES + k] = held
-        block[STRESS_SHEAR + e * LANES + k] = after
+        bonds[k] = held
+        stress[k] = after
         work[W_NORMAL + k] += force
         work[W_SHEAR + k] += after * width
         work[W_MOMENT + k] += offset * force + moment
