@@ -129,4 +129,9 @@ class DemCutting(_Dem):
                 f"cut_depth = {self.cut_depth * 1e3:.4g} mm is more than half of the block "
                 f"(allowed: up to {0.5e3 * self.packing.height:.4g} mm)"
             )
+        if self.travel > 0.9 * self.packing.width:
+            raise fault(
+                f"travel = {self.travel * 1e3:.4g} mm runs into the fixed side of the block "
+                f"(allowed: up to {0.9e3 * self.packing.width:.4g} mm)"
+            )
         return self
