@@ -229,3 +229,32 @@ def test_removed_joint_leaves_a_contact_at_its_own_distance():
         assert scene.reaction[0] == pytest.approx(MODULUS * closed, rel=1e-9, abs=1e-6)
         scene.reaction[:] = 0.0
     assert closed < -4e-9
+
+
+def test_sliding_joint_loses_the_work_of_friction_and_is_removed_when_its_faces_have_parted():
+    """Both discs turn the same way under a fixed approach; a linear contact takes over with the same force."""
+    scene = two_discs()
+    approach, spin, steps = 2e-8, 1e5, 200
+    scene.speeds[1, 0] = -approach / (steps * scene.time_step)
+    run(scene, steps)
+    scene.speeds[1, 0] = 0.0
+    push = MODULUS * approach
+    assert measured(scene)[0] == pytest.approx(-push, rel=1e-6)
+
+    scene.speeds[:, 2] = spin
+    while not scene.cracks.count[0]:
+        run(scene, 1)
+    cracked, turned = energies(scene), scene.position[2]
+    removed = None
+    while scene.position[2] < 1.2:
+        run(scene, 100)
+        if removed is None and not scene.joints.live[0]:
+            removed = scene.position[2]
+    # The broken joint turns with its faces until they have shifted by their length, 2 R, at one radian.
+    slipped = 2 * R * (scene.position[2] - turned)
+    last = energies(scene)
+    assert removed == pytest.approx(1.0, rel=0.05)
+    assert last.energy_friction - cracked.energy_friction == pytest.approx(JOINT.friction * push * slipped, rel=0.01)
+    scene.reaction[:] = 0.0
+    run(scene, 1)
+    assert scene.reaction[:2] == pytest.approx([-push, -JOINT.friction * push], rel=1e-6)

@@ -1,7 +1,7 @@
 """Synthetic glass with the parameters of Table 1 as printed, against the paper and against periodic packings.
 
-Yang et al. (2018) give 7406 discs in 1 mm x 2 mm (Fig. 5) and 2085 in 1 mm x 1 mm (section 4). These fit radii of 7.5 to
-10 um and of 10 to 13.3 um. Their Table 2 gives E = 71.1 GPa, a Poisson's ratio of 0.228 and a tensile strength of
+Yang et al. (2018) give 7406 discs in 1 mm x 2 mm (Fig. 5) and 2085 in 1 mm x 1 mm (section 4), which fit radii of 7.5
+to 10 um and of 10 to 13.3 um. Their Table 2 gives E = 71.1 GPa, a Poisson's ratio of 0.228 and a tensile strength of
 42.6 MPa. An independent lattice solver for periodic packings of 600 discs with the same joints gives E/E* = 0.917,
 0.228 and 120 to 126 MPa at the first crack.
 """
