@@ -98,7 +98,7 @@ def _lines(block: Block, indent: str) -> Iterator[str]:
             continue
         value = getattr(block, name)
         nested = block_of(info.annotation)
-        meaning = f"  # {info.description}" if info.description else ""
+        meaning = f"  # {' '.join(info.description.split())}" if info.description else ""
         limits = next((note for note in info.metadata if isinstance(note, (Quantity, Number))), None)
         if limits is not None:
             meaning = f"{meaning.rstrip('.')} ({limits.low} to {limits.high})"

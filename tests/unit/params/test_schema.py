@@ -4,10 +4,10 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-import yaml
 
 from orthocut.params.case import KINDS, load, validate
 from orthocut.params.schema import files, study_schema
+from orthocut.params.text import parse_yaml, read_yaml
 
 CONFIG = Path(__file__).resolve().parents[3] / "workflow" / "config"
 STUDIES = sorted(path for path in CONFIG.glob("*.yaml") if path.name != "default.yaml")
@@ -22,7 +22,7 @@ def test_generated_file_is_current(name):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_default_yaml_gives_the_default_case(kind):
-    assert validate(yaml.safe_load(files()["default.yaml"])[kind]) == load(kind)
+    assert validate(parse_yaml(files()["default.yaml"], "default.yaml")[kind]) == load(kind)
 
 
 def test_schema_is_a_schema_and_refuses():
@@ -37,4 +37,4 @@ def test_schema_is_a_schema_and_refuses():
 
 @pytest.mark.parametrize("path", STUDIES, ids=lambda path: path.name)
 def test_studies_of_the_project_fit_the_schema(path):
-    jsonschema.validate(yaml.safe_load(path.read_text(encoding="utf-8")), study_schema())
+    jsonschema.validate(read_yaml(path), study_schema())
