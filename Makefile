@@ -41,7 +41,7 @@ report: figures ## one HTML page with all figures and tables: results/report.htm
 	@$(BIN)/snakemake --config study=$(STUDY) --report results/report.html
 
 test: $(STAMP) ## run the tests
-	@$(BIN)/python -m pytest -n $(TEST_JOBS)
+	@$(BIN)/python -m pytest -n $(TEST_JOBS) --dist loadgroup
 
 lint: $(STAMP) ## style, types of imports, workflow
 	@$(BIN)/ruff check

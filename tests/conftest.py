@@ -39,3 +39,8 @@ class Progress:
 def pytest_configure(config):
     if not hasattr(config, "workerinput") and not config.option.collectonly and "-q" not in sys.argv:
         config.pluginmanager.register(Progress(config), "progress_lines")
+
+
+def pytest_collection_modifyitems(items):
+    """Start with the tests of the workflow: they run one after another and take longest."""
+    items.sort(key=lambda item: "tests/workflow/" not in item.nodeid)
