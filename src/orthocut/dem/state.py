@@ -111,7 +111,7 @@ class Scene(NamedTuple):
     tally: np.ndarray
     """(TALLY,) energies [J/m], see `orthocut.kernels.dem.layout`."""
     clock: np.ndarray
-    """(3,) int64: number of steps done, step of the last search for neighbours (-1: none yet), number of searches."""
+    """(3,) int64: number of steps done, step of the last search (-1: search anew), number of searches."""
     law: Law
     grid: tuple[float, float, float, int, int]
     """Corner of the grid of cells (x, y) [m], cell size [m], number of columns, number of rows."""

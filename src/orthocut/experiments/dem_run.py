@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from orthocut.dem.packing import PackedDiscs
-from orthocut.dem.solver import CROWDED, DONE, OUTRUN, TOO_FAST, advance
+from orthocut.dem.solver import CROWDED, DONE, TOO_FAST, advance
 from orthocut.dem.state import Scene
 from orthocut.kernels.dem.layout import ROW
 from orthocut.measure.dem_cracks import cracks
@@ -17,7 +17,6 @@ from orthocut.measure.guard import Diverged
 
 _WHY = {
     TOO_FAST: "a disc is faster than {limit:.3g} m/s, a fifth of the speed of sound, or its velocity is not a number",
-    OUTRUN: "discs moved farther between two checks than the list of neighbours allows",
     CROWDED: "a disc has more neighbours than the list of contacts has room for",
 }
 

@@ -65,15 +65,12 @@ def fastest(velocity):
 
 
 @part
-def farthest(position, reference):
-    """Largest and second largest distance of a disc from its place at the last search for neighbours [m]."""
-    largest = 0.0
-    second = 0.0
-    for i in range(0, position.size, ROW):
-        dx = position[i] - reference[i]
-        dy = position[i + 1] - reference[i + 1]
-        square = dx * dx + dy * dy
-        if square > second:
-            second = min(square, largest)
-            largest = max(square, largest)
-    return largest**0.5, second**0.5
+def count_strays(position, reference, distance):
+    """Count the discs farther than `distance` from their places at the last search for neighbours."""
+    limit = distance * distance
+    count = 0
+    for m in range(position.size // ROW):
+        dx = position[m * ROW] - reference[m * ROW]
+        dy = position[m * ROW + 1] - reference[m * ROW + 1]
+        count += dx * dx + dy * dy > limit
+    return count
