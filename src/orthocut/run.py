@@ -79,12 +79,9 @@ def warm(kind: str) -> float:
 def estimate_seconds(case: Case) -> float:
     """Rough run time of a case on one core [s], for schedules and for the time left; never for results."""
     if case.kind == "mpm_cutting":
-        particle = case.cut_depth / case.numerics.points_per_depth
         work = case.workpiece
         points = work.length_ratio * (1 + work.base_ratio) * case.numerics.points_per_depth**2
-        duration = case.travel_ratio * case.cut_depth / case.cut_speed / (1 - case.numerics.ramp_fraction / 2)
-        step = case.numerics.courant * 2 * particle / case.material.speed_pressure_wave
-        return _SECONDS_START + points * duration / step * _SECONDS_PER_POINT_STEP
+        return _SECONDS_START + points * case.duration / case.time_step * _SECONDS_PER_POINT_STEP
 
     packing, joint = case.packing, case.joint
     mean_square = packing.radius_min**2 * (1 + packing.radius_ratio + packing.radius_ratio**2) / 3

@@ -21,6 +21,8 @@ SAMPLES = 500
 """Output intervals of a run."""
 SNAPSHOTS = 6
 """Snapshots of a run, evenly spaced; the last one at its end."""
+CLOSURE_LIMIT = 0.05
+"""Share of the tool's work that may remain unaccounted for after a travel of one depth of cut; the run stops beyond."""
 TOUCHING_CELLS = 1.5
 """Mean distance from tool tip to crack tip below which the tool touches, in cells; contact reaches 1.25 cells ahead."""
 
@@ -60,7 +62,7 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
     Raises
     ------
     Diverged
-        If energies stop being finite or a point leaves the grid.
+        If energies stop being finite or do not balance, if a point leaves the grid or the chip sinks into the base.
     """
     state = setup.build(case)
     solver = Solver(state)
@@ -117,12 +119,16 @@ def _sample(solver: Solver, before: np.ndarray, interval: float, face: float) ->
 def _check(solver: Solver, record: dict[str, float], case: MpmCutting) -> None:
     """Stop a run whose numbers can no longer be trusted."""
     when = f"at a travel of {record['tool_travel'] / case.cut_depth:.2f} depths of cut"
+    finer = f"try a smaller numerics.courant than {case.numerics.courant:g}"
     if not all(math.isfinite(value) for value in record.values()):
-        raise Diverged(
-            f"energies are no longer finite {when}; try a smaller numerics.courant than {case.numerics.courant:g}"
-        )
+        raise Diverged(f"energies are no longer finite {when}; {finer}")
+    if solver.sunken:
+        raise Diverged(f"the chip sinks into the base {when}: where the interface has failed, nothing keeps them apart")
     if solver.escaped:
-        raise Diverged(f"a material point left the grid {when}: the chip is longer than the space above the workpiece")
+        raise Diverged(f"a point crosses the {solver.escaped} edge of the grid {when}; try a smaller travel_ratio")
+    lost = record["energy_residual"] / record["work_tool"] if record["tool_travel"] > case.cut_depth else 0.0
+    if abs(lost) > CLOSURE_LIMIT:
+        raise Diverged(f"{lost:.0%} of the tool's work is not accounted for {when}; {finer}")
 
 
 def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) -> dict[str, float]:

@@ -75,7 +75,7 @@ def build(case: MpmCutting) -> State:
     interface[pairs.FAILED_AT] = np.nan
     interface[pairs.MODE_ONE] = np.nan
 
-    cell = 2.0 * spacing
+    cell = case.cell
     solid = case.material
     totals = np.zeros(step.TOTALS)
     totals[step.TIP] = columns * spacing + max(0.0, -math.tan(case.tool.rake_angle)) * depth
@@ -104,6 +104,6 @@ def build(case: MpmCutting) -> State:
             count_y=below + above + 1,
             last_clamped_row=below - base_rows // 2,
             mass_small=_MASS_SMALL * solid.density * cell**2,
-            time_step=case.numerics.courant * cell / solid.speed_pressure_wave,
+            time_step=case.time_step,
         ),
     )

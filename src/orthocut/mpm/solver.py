@@ -87,12 +87,21 @@ class Solver:
         return float(interface.crack_tip_of(self.state.interface))
 
     @property
-    def escaped(self) -> bool:
-        """Whether a point stands so near the edge of the grid that its nodes would lie outside."""
+    def escaped(self) -> str:
+        """Edge of the grid (left, right, lower, upper) that a point is about to cross; empty if there is none."""
         frame = self.state.frame
         first_x, last_x, first_y, last_y = self._extents[:, self._current].T
-        return bool(
-            min(first_x.min(), first_y.min()) < 1
-            or last_x.max() > frame.count_x - 2
-            or last_y.max() > frame.count_y - 2
-        )
+        edges = {
+            "left": first_x.min() < 1,
+            "right": last_x.max() > frame.count_x - 2,
+            "lower": first_y.min() < 1,
+            "upper": last_y.max() > frame.count_y - 2,
+        }
+        return next((edge for edge, crossed in edges.items() if crossed), "")
+
+    @property
+    def sunken(self) -> bool:
+        """Whether a point of the chip is more than two cells below the cut."""
+        frame = self.state.frame
+        surface = round(-frame.origin_y * frame.inv_cell)
+        return bool(self._extents[layout.CHIP, self._current, 2] < surface - 3)

@@ -22,3 +22,8 @@ class CohesiveZone(Block):
     def opening_critical(self) -> float:
         """Opening at which the traction vanishes [m]."""
         return 16 * self.toughness / (9 * self.strength)
+
+    @property
+    def stiffness(self) -> float:
+        """Slope of the law at zero opening [Pa/m]."""
+        return 6.75 * self.strength / self.opening_critical

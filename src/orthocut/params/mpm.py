@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -74,3 +75,19 @@ class MpmCutting(Block):
     def duration(self) -> float:
         """Time the tool needs for its travel, ramp included [s]."""
         return self.travel_ratio * self.cut_depth / (self.cut_speed * (1.0 - 0.5 * self.numerics.ramp_fraction))
+
+    @property
+    def cell(self) -> float:
+        """Cell size; two material points a cell and direction [m]."""
+        return 2.0 * self.cut_depth / self.numerics.points_per_depth
+
+    @property
+    def time_step(self) -> float:
+        """Courant number times the largest stable time step, about: of pressure waves and of the interface [s].
+
+        The interface couples two layers of nodes, each of half a cell's mass, by its initial stiffness, which gives the
+        frequency 2 sqrt(stiffness/(density cell)).
+        """
+        wave = self.cell / self.material.speed_pressure_wave
+        spring = math.sqrt(self.material.density * self.cell / self.interface.stiffness)
+        return self.numerics.courant * min(wave, spring)
