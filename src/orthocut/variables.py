@@ -177,7 +177,7 @@ VARIABLES: dict[str, Variable] = {
 
 
 def attributes(name: str) -> dict[str, str]:
-    """netCDF attributes of a variable: units, long_name, symbol.
+    """Attributes of a variable in netCDF files: units, long_name, symbol.
 
     Raises
     ------

@@ -15,8 +15,8 @@ from orthocut.io.collect import case_of
 
 CAPTION = (
     "Cutting force over particle size, after Nairn (2015), Fig. 3B, and the share of the tool's work in the second "
-    "half of the cut that transfers between points and grid lose. Bars: standard error of the mean. Lines: straight fits; "
-    "their ends at zero are an estimate of the converged force, and the distance of a run from it is its "
+    "half of the cut that transfers between points and grid lose. Bars: standard error of the mean. Lines: straight "
+    "fits; their ends at zero are an estimate of the converged force, and the distance of a run from it is its "
     "discretisation error. Open symbols: the tool touches the crack tip."
 )
 
