@@ -28,9 +28,11 @@ class Progress:
         if self.total and (now - self.last > 5 or self.done == self.total):
             self.last = now
             spent = now - self.start
-            left = spent * (self.total - self.done) / self.done
+            left = f"about {spent * (self.total - self.done) / self.done:.0f} s left"
+            if self.done < self.total / 5:
+                left = "the slow ones come first"
             where = report.nodeid.split("::")[0]
-            line = f"[{self.done:>4}/{self.total}] {spent:.0f} s, about {left:.0f} s left: {where}"
+            line = f"[{self.done:>4}/{self.total}] {spent:.0f} s, {left}: {where}"
             self.config.get_terminal_writer().line("")
             self.config.get_terminal_writer().line(line)
 

@@ -69,10 +69,12 @@ def _ignore(fraction: float) -> None:
     """Do nothing."""
 
 
-def warm(kind: str) -> float:
-    """Compile the kernels that a kind of case needs by running its smallest case; return the seconds it took."""
+def warm(method: str) -> float:
+    """Compile the kernels of a method by running the smallest case of each of its kinds; return the seconds it took."""
     start = time.perf_counter()
-    run_case(load(kind, SMALLEST[kind]))
+    for kind, values in SMALLEST.items():
+        if kind.startswith(f"{method}_"):
+            run_case(load(kind, values))
     return time.perf_counter() - start
 
 

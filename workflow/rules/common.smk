@@ -21,8 +21,14 @@ logger.info("", extra={"cases": PLAN.announcement()})
 
 
 wildcard_constraints:
+    method="mpm|dem",
     case_id="|".join(PLAN.cases) or "none",
     figure="|".join(PLAN.figures) or "none",
+
+
+def method_of(case_id):
+    """Return mpm or dem."""
+    return PLAN.cases[case_id].kind.split("_")[0]
 
 
 def runs_of(figure):

@@ -3,13 +3,13 @@
 
 rule warm:
     output:
-        touch(f"{RESULTS}/kernels/{{kind}}.compiled"),
+        touch(f"{RESULTS}/kernels/{{method}}.compiled"),
     log:
-        f"{RESULTS}/logs/warm/{{kind}}.log",
+        f"{RESULTS}/logs/warm/{{method}}.log",
     priority: 1000
     conda:
         "../envs/orthocut.yaml"
     params:
-        sources=lambda wildcards: digest_numbers(wildcards.kind),
+        sources=lambda wildcards: digest_numbers(wildcards.method),
     script:
         "../scripts/warm.py"

@@ -7,7 +7,7 @@ in the same run, and the job would keep the results of the old sources.
 
 rule simulate:
     input:
-        kernels=lambda wildcards: f"{RESULTS}/kernels/{PLAN.cases[wildcards.case_id].kind}.compiled",
+        kernels=lambda wildcards: f"{RESULTS}/kernels/{method_of(wildcards.case_id)}.compiled",
     output:
         run=f"{RESULTS}/runs/{{case_id}}.nc",
     log:

@@ -1,8 +1,8 @@
-"""Compile the kernels of a kind of case."""
+"""Compile the kernels of a method."""
 
 from logged import logged
 
 with logged(snakemake.log[0]):
     from orthocut.run import warm
 
-    print(f"{warm(snakemake.wildcards.kind):.1f} s")
+    print(f"{warm(snakemake.wildcards.method):.1f} s")
