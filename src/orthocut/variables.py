@@ -141,7 +141,7 @@ VARIABLES: dict[str, Variable] = {
     "energy_closure": Variable("", "1", "energy not accounted for, over the work of the tool", "%", 100.0),
     "modulus_young": Variable("E", "Pa", "Young's modulus", "GPa", 1e-9),
     "ratio_poisson": Variable(r"\nu", "1", "Poisson's ratio"),
-    "strength_ultimate": Variable(r"\sigma_u", "Pa", "largest axial stress", *_MPA),
+    "strength_ultimate": Variable(r"\sigma_u", "Pa", "magnitude of the largest axial stress", *_MPA),
     "strain_peak": Variable(r"\varepsilon_u", "1", "axial strain at the largest stress", "%", 100.0),
     "cracks_tension_total": Variable("N_t", "1", "number of elements broken in tension at the end"),
     "cracks_shear_total": Variable("N_s", "1", "number of elements broken in shear at the end"),

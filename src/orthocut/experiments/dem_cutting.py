@@ -20,9 +20,9 @@ from orthocut.experiments.dem_run import closure, crack_data, energy_data, packi
 from orthocut.experiments.dem_specimen import Progress
 from orthocut.io.datasets import build as build_dataset
 from orthocut.kernels.dem.layout import TIP_X, WALL_PEAK_X, WALL_PEAK_Y, WALL_SUM_X, WALL_SUM_Y
-from orthocut.measure.averages import mean_and_error
 from orthocut.measure.dem_cracks import count_cracks, cracks
 from orthocut.measure.dem_energy import Energies, energies, forces
+from orthocut.measure.steady import block_mean
 from orthocut.params.dem import DemCutting
 
 SAMPLES = 500
@@ -150,19 +150,18 @@ def _data(
     """Histories, results, snapshots, cracks."""
     column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
     history = {**column, **energy_data([s.energies for s in samples], start)}
-    cutting, cutting_error = mean_and_error(column["force_cutting"])
-    thrust, thrust_error = mean_and_error(column["force_thrust"])
+    cutting, thrust = block_mean(column["force_cutting"]), block_mean(column["force_thrust"])
     below = case.packing.height - case.cut_depth - cracks(scene).crack_y
     tension, shear = count_cracks(scene)
     tool = scene.walls.rows[0]
     return {
         **{name: (("sample",), values) for name, values in history.items()},
-        "force_cutting_mean": ((), cutting),
-        "force_cutting_error": ((), cutting_error),
+        "force_cutting_mean": ((), cutting.value),
+        "force_cutting_error": ((), cutting.error),
         "force_cutting_peak": ((), float(tool[WALL_PEAK_X])),
         "force_cutting_rms": ((), float(np.sqrt(np.mean(column["force_cutting"] ** 2)))),
-        "force_thrust_mean": ((), thrust),
-        "force_thrust_error": ((), thrust_error),
+        "force_thrust_mean": ((), thrust.value),
+        "force_thrust_error": ((), thrust.error),
         "force_thrust_peak": ((), float(tool[WALL_PEAK_Y])),
         "force_thrust_rms": ((), float(np.sqrt(np.mean(column["force_thrust"] ** 2)))),
         "damage_depth": ((), float(max(below.max(initial=0.0), 0.0))),

@@ -30,7 +30,7 @@ Test = DemTension | DemCompression
 
 
 class Sample(NamedTuple):
-    """One row of the history; stresses and strains are positive along the loading."""
+    """One row of the history; tension is positive."""
 
     time: float
     strain_axial: float
@@ -85,26 +85,26 @@ def load_specimen(
             advancing += time.thread_time() - began
             found = forces(scene)
             y = scene.places[:, 1]
-            stresses.append(sign * stress_axial(found, y, 0.25 * height, 0.75 * height, width))
+            stresses.append(stress_axial(found, y, 0.25 * height, 0.75 * height, width))
         strain = rate * scene.time
         axial, lateral = strains(initial, scene.places, middle)
-        grip = sign * grip_force(scene) / (per_sample * reading) / width
+        grip = grip_force(scene) / (per_sample * reading) / width
         stress = float(np.mean(stresses))
         samples.append(
             Sample(
                 scene.time,
-                strain,
-                sign * axial,
-                sign * lateral,
+                sign * strain,
+                axial,
+                lateral,
                 stress,
                 grip,
                 *count_cracks(scene),
                 energies(scene, found.energy),
             )
         )
-        peak = max(peak, stress)
+        peak = max(peak, sign * stress)
         progress(min(strain / case.strain_max, 1.0))
-        if samples[-1].cracks_tension + samples[-1].cracks_shear > 0 and stress < case.drop_fraction * peak:
+        if samples[-1].cracks_tension + samples[-1].cracks_shear > 0 and sign * stress < case.drop_fraction * peak:
             break
         if len(samples) == SAMPLES:
             samples = samples[1::2]
@@ -126,7 +126,8 @@ def specimen_dataset(
     """Load a specimen and return histories, results, discs at start and end, cracks and energies."""
     samples, peak, initial, intact, advancing, start = load_specimen(case, packed, scene, sign, grip_force, progress)
     column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
-    modulus, poisson = elastic_constants(column["stress_axial"], column["strain_gauge"], column["strain_lateral"])
+    loading = sign * column["stress_axial"]
+    modulus, poisson = elastic_constants(loading, column["strain_gauge"], column["strain_lateral"])
     history: dict[str, Any] = {**column, **energy_data([s.energies for s in samples], start)}
     padding = np.full(SAMPLES - len(samples), np.nan)
     tension, shear = count_cracks(scene)
@@ -136,7 +137,7 @@ def specimen_dataset(
         "modulus_young": ((), modulus),
         "ratio_poisson": ((), poisson),
         "strength_ultimate": ((), peak),
-        "strain_peak": ((), float(column["strain_axial"][np.argmax(column["stress_axial"])])),
+        "strain_peak": ((), float(column["strain_axial"][np.argmax(loading)])),
         "cracks_tension_total": ((), tension),
         "cracks_shear_total": ((), shear),
         "energy_closure": ((), closure(samples[-1].energies, start)),

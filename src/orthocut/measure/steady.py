@@ -1,4 +1,4 @@
-"""Means of histories in the steady state, with their errors."""
+"""Means of histories, with their errors."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Mean(NamedTuple):
     """Change of a straight line through the window, over the mean."""
 
 
-def block_mean(values: np.ndarray, blocks: int = 8) -> Mean:
+def block_mean(values: np.ndarray, blocks: int = 10) -> Mean:
     """Mean, standard error and drift of equidistant samples.
 
     Parameters

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from orthocut.measure.averages import mean_and_error
 from orthocut.measure.dem_energy import Forces
 from orthocut.measure.specimen import elastic_constants, strains, stress_axial
 
@@ -36,12 +35,3 @@ def test_elastic_constants_come_from_the_straight_part_before_the_peak():
 
 def test_elastic_constants_of_too_few_samples_are_not_a_number():
     assert np.isnan(elastic_constants(np.array([0.0, 1.0]), np.array([0.0, 1.0]), np.zeros(2))).all()
-
-
-def test_error_of_the_mean_agrees_with_the_scatter_of_many_signals_with_memory():
-    random = np.random.default_rng(3)
-    noise = random.normal(size=(400, 520))
-    signals = np.array([np.convolve(row, np.ones(10) / 10, mode="valid")[:500] for row in noise])
-    means, errors = np.array([mean_and_error(row) for row in signals]).T
-    assert np.sqrt(np.mean(errors**2)) == pytest.approx(means.std(), rel=0.15)
-    assert mean_and_error(np.full(500, 7.0)) == (7.0, 0.0)
