@@ -99,6 +99,13 @@ def test_the_same_case_is_taken_once(ragged):
     assert collect([ragged[0], ragged[0]]).sizes["case"] == 1
 
 
+def test_only_wanted_dimensions_are_kept(ragged):
+    assert set(collect(ragged, dims=("sample",)).dims) == {"case", "sample"}
+    scalars = collect(ragged, dims=())
+    assert set(scalars.dims) == {"case"}
+    assert "force_cutting_mean" in scalars
+
+
 def test_no_runs_give_an_empty_dataset():
     assert collect([]).sizes["case"] == 0
 

@@ -72,8 +72,8 @@ def test_plan_holds_each_case_once(tmp_path):
 @pytest.mark.parametrize(
     ("module", "absent"),
     [
-        ("orthocut.cli", ("numba", "xarray", "matplotlib", "pint", "numpy", "snakemake")),
-        ("orthocut.run", ("numba", "xarray", "matplotlib", "pint")),
+        ("orthocut.cli", ("numba", "xarray", "matplotlib", "numpy", "snakemake")),
+        ("orthocut.run", ("numba", "xarray", "matplotlib")),
         ("orthocut.plan", ("numba",)),
     ],
 )

@@ -12,5 +12,6 @@ rule collect:
         "../envs/orthocut.yaml"
     params:
         sources=digest_datasets(),
+        dims=lambda wildcards: dims(wildcards.figure),
     script:
         "../scripts/collect.py"

@@ -5,7 +5,7 @@ from pathlib import Path
 from snakemake.exceptions import WorkflowError
 from snakemake.logging import logger
 
-from orthocut.figures.registry import caption
+from orthocut.figures.registry import caption, dims
 from orthocut.params.block import ConfigError
 from orthocut.params.identity import canonical, digest_datasets, digest_numbers, digest_pictures
 from orthocut.plan import load_plan

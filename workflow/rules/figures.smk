@@ -45,6 +45,8 @@ rule run_times:
         f"{RESULTS}/logs/run_times.log",
     conda:
         "../envs/orthocut.yaml"
+    params:
+        labels=PLAN.labels,
     script:
         "../scripts/run_times.py"
 

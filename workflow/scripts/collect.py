@@ -6,4 +6,5 @@ with logged(snakemake.log[0]):
     from orthocut.io.collect import collect
     from orthocut.io.netcdf import read, write
 
-    write(collect(map(read, snakemake.input.runs), snakemake.wildcards.figure), snakemake.output.dataset)
+    runs = map(read, snakemake.input.runs)
+    write(collect(runs, snakemake.wildcards.figure, snakemake.params.dims), snakemake.output.dataset)

@@ -6,4 +6,5 @@ with logged(snakemake.log[0]):
     from orthocut.figures.tables import run_times, write
     from orthocut.io.netcdf import read
 
-    write(run_times([read(path) for path in snakemake.input.runs]), snakemake.output.csv.removesuffix(".csv"))
+    runs = [read(path) for path in snakemake.input.runs]
+    write(run_times(runs, snakemake.params.labels), snakemake.output.csv.removesuffix(".csv"))

@@ -83,6 +83,7 @@ def timing(seconds: float, advancing: float, scene: Scene) -> Mapping[str, float
     bond_steps = max(int(scene.clock[0]), 1) * max(len(scene.joints.first), 1)
     return {
         "wall_time_s": seconds,
+        "particles": len(scene.places),
         "steps": int(scene.clock[0]),
         "time_step_s": scene.time_step,
         "ns_per_bond_step": 1e9 * advancing / bond_steps,

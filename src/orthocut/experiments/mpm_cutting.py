@@ -90,7 +90,7 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
     data["point_half_width"] = ((), 0.25 * frame.cell)
     dataset = build(case, "Orthogonal cut with material points", data, {"time": data.pop("time")})
     dataset.attrs |= {
-        "points": state.point_count,
+        "particles": state.point_count,
         "steps": steps * SAMPLES,
         "time_step_s": frame.time_step,
         "cell_m": frame.cell,

@@ -13,6 +13,7 @@ CAPTION = (
     "Energies of a cut over the travel of the tool, stacked, against the work of the tool. What is missing to the line "
     "is not accounted for; its share at the end is the closure error. Energies below 0.2 % of the work are left out."
 )
+DIMS = ("sample",)
 VISIBLE = 0.002
 """Energies that stay below this fraction of the work are not drawn."""
 ENERGIES = tuple(name for name in QUANTITY if name.startswith("energy_") and name != "energy_residual")

@@ -19,6 +19,7 @@ CAPTION = (
     "fits; their ends at zero are an estimate of the converged force, and the distance of a run from it is its "
     "discretisation error. Open symbols: the tool touches the crack tip."
 )
+DIMS = ("sample",)
 
 
 @styled

@@ -16,6 +16,7 @@ CAPTION = (
     "Cutting force and negative thrust force of the tool over time, after Nairn (2015), Fig. 4. "
     "Shaded: the window of the averages; dotted: the averages; grey line: end of the tool's speeding up."
 )
+DIMS = ("sample",)
 
 
 @styled

@@ -14,6 +14,7 @@ CAPTION = (
     "Normal force of the finished surface on the tool (rubbing) over depth of cut, both dimensionless, after Nairn "
     "(2015), Fig. 10. Open symbols: the tool touches the crack tip; filled: a gap separates them."
 )
+DIMS = ()
 
 
 @styled

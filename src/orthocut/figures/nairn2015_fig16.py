@@ -16,6 +16,7 @@ CAPTION = (
     "Fraction of mode I in the energy of failure over the ratio of thrust to cutting force of a sliding chip, after "
     "Nairn (2015), Fig. 16. Open symbols: the tool touches the crack tip; filled: a gap separates them."
 )
+DIMS = ()
 
 
 @styled

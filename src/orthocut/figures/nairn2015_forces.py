@@ -21,6 +21,7 @@ CAPTION = (
     "model, eq. (14). Dashed: bending model as printed, eqs (18), (19), with a straight line through the rubbing "
     "forces of the runs that bend. Solid: bending model with the chip in balance, without rubbing."
 )
+DIMS = ()
 CURVE_POINTS = 60
 MODELS = ((":", "touching model"), ("--", "bending, paper"), ("-", "bending, consistent"))
 

@@ -35,7 +35,8 @@ FIGURES = {
     "yang2018_table4": "yang2018_table4",
     "show": "show",
 }
-"""Every module has ``draw(dataset) -> Figure`` and ``CAPTION``; with ``tabulate(dataset) -> Table`` also a table."""
+"""Every module has ``draw(dataset) -> Figure`` and ``CAPTION``; with ``tabulate(dataset) -> Table`` also a table; with
+``DIMS`` a dataset of these dimensions of the runs only."""
 
 WITHOUT_RUNS = frozenset({"nairn2015_fig07"})
 """Figures of theory alone."""
@@ -52,6 +53,11 @@ def module(name: str) -> ModuleType:
     if name not in FIGURES:
         raise KeyError(f"no figure is called {name!r} (known: {', '.join(FIGURES)})")
     return import_module(f"orthocut.figures.{FIGURES[name]}")
+
+
+def dims(name: str) -> tuple[str, ...] | None:
+    """Dimensions of runs that a figure draws, beside single numbers; None for all."""
+    return getattr(module(name), "DIMS", None)
 
 
 def draw(name: str, dataset: xr.Dataset | None = None) -> Figure:

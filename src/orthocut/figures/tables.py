@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -54,23 +55,21 @@ def write(table: Table, stem: str | Path) -> list[Path]:
     return [write_text(text, stem.with_name(f"{stem.name}.{form}")) for form, text in texts.items()]
 
 
-def run_times(runs: list[xr.Dataset]) -> Table:
-    """Run time of each case and the total.
+def run_times(runs: list[xr.Dataset], labels: Mapping[str, str]) -> Table:
+    """Size and run time of each case, and the total.
 
     Parameters
     ----------
     runs : list of xarray.Dataset
-        Single runs (attributes ``case_id``, ``kind``, ``wall_time_s``) or collected datasets; a case is listed once.
+        Single runs with the attributes ``case_id``, ``particles``, ``steps``, ``wall_time_s``; a missing one is a hole.
+    labels : mapping of str to str
+        Case id to words for people.
     """
-    times: dict[str, tuple[str, float]] = {}
-    for run in runs:
-        if "case" in run.dims:
-            for name, kind, time in zip(
-                run["case_id"].values, run["kind"].values, run["wall_time"].values, strict=True
-            ):
-                times[str(name)] = (str(kind), float(time))
-        else:
-            times[run.attrs["case_id"]] = (run.attrs["kind"], float(run.attrs.get("wall_time_s", math.nan)))
-    rows: list[list[Any]] = [[name, kind, time] for name, (kind, time) in sorted(times.items())]
-    total = float(np.nansum([time for _, time in times.values()]))
-    return Table("Run times", ["case", "kind", "run time [s]"], [*rows, [f"{len(times)} cases", "total", total]])
+    rows: list[list[Any]] = []
+    for run in sorted(runs, key=lambda run: labels.get(run.attrs["case_id"], "")):
+        name = run.attrs["case_id"]
+        size = [int(run.attrs[key]) if key in run.attrs else math.nan for key in ("particles", "steps")]
+        rows.append([name, labels.get(name, ""), *size, float(run.attrs.get("wall_time_s", math.nan))])
+    total = float(np.nansum([row[-1] for row in rows]))
+    header = ["case", "what", "points or discs", "steps", "run time [s]"]
+    return Table("Run times", header, [*rows, [f"{len(rows)} cases", "total", math.nan, math.nan, total]])

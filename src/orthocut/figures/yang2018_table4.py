@@ -20,6 +20,7 @@ CAPTION = (
     "Mean cutting and thrust force of four cuts for a millimetre of width: replicates (dots) and those of "
     "Yang et al. (2018), Table 4 (crosses), with their means (lines)."
 )
+DIMS = ()
 PAPER = {
     (0.1, False): {"force_cutting": (14.15, 15.40, 15.38), "force_thrust": (10.29, 9.27, 10.38)},
     (0.1, True): {"force_cutting": (1.72, 2.82, 1.60), "force_thrust": (2.84, 3.13, 2.87)},

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -48,7 +48,7 @@ def parameters(case: Block) -> dict[str, Any]:
     return values
 
 
-def collect(datasets: Iterable[xr.Dataset], title: str = "") -> xr.Dataset:
+def collect(datasets: Iterable[xr.Dataset], title: str = "", dims: Collection[str] | None = None) -> xr.Dataset:
     """Dataset of many runs, along the dimension ``case``.
 
     Parameters
@@ -57,6 +57,9 @@ def collect(datasets: Iterable[xr.Dataset], title: str = "") -> xr.Dataset:
         Runs as `orthocut.io.datasets.build` makes them; a case that comes twice is taken once.
     title : str
         One line for people.
+    dims : collection of str, optional
+        Dimensions of runs to keep, beside single numbers; default all. Histories and snapshots that a figure does not
+        draw would only make its dataset large.
 
     Returns
     -------
@@ -70,7 +73,7 @@ def collect(datasets: Iterable[xr.Dataset], title: str = "") -> xr.Dataset:
     ValueError
         If runs disagree on the dimensions of a variable, or a swept parameter is not in the table of variables.
     """
-    runs = list({run.attrs["case_id"]: run for run in datasets}.values())
+    runs = list({run.attrs["case_id"]: _reduce(run, dims) for run in datasets}.values())
     lengths = _lengths(runs)
     result = xr.Dataset(_join(runs, lengths), coords=_coordinates(runs) | _labels(runs))
     result["case_json"] = ("case", np.array([run.attrs["case"] for run in runs], object), attributes("case_json"))
@@ -90,6 +93,11 @@ def case_of(run: xr.Dataset) -> Block:
     """Case of one run, alone or taken out of a collected dataset; checked anew."""
     text = run["case_json"].item() if "case_json" in run.variables else run.attrs["case"]
     return validate(json.loads(text))
+
+
+def _reduce(run: xr.Dataset, dims: Collection[str] | None) -> xr.Dataset:
+    """Run without the dimensions that are not wanted."""
+    return run if dims is None else run.drop_dims([dim for dim in run.dims if dim not in dims])
 
 
 def _lengths(runs: list[xr.Dataset]) -> dict[str, int]:

@@ -16,7 +16,7 @@ _METHODS = ("mpm", "dem")
 _NUMBERS = ("kernels", "mpm", "dem", "experiments", "measure", "params")
 _PICTURES = ("figures", "theory", "variables.py")
 _DATASETS = ("io", "variables.py")
-_INPUT_ONLY = ("__init__", "block", "case", "identity", "quantity", "schema", "study", "text")
+_INPUT_ONLY = ("__init__", "block", "case", "identity", "quantity", "schema", "study", "text", "units")
 _LIBRARIES = ("numpy", "numba", "llvmlite", "scipy")
 
 

@@ -7,62 +7,49 @@ from __future__ import annotations
 
 import math
 import re
-import tokenize
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
-
-@cache
-def _registry():
-    import pint
-
-    return pint.UnitRegistry(cache_folder=":auto:")
+from orthocut.params.units import unit_of
 
 
-_UNIT = r"[a-zA-Zµμ°%]+((\^|\*\*)-?\d+)?"
-_FORM = re.compile(rf"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*(?P<unit>{_UNIT}((\s*[*/]\s*|\s+){_UNIT})*)?\s*")
+_FORM = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)(?P<unit>[^\d.].*?)?\s*", re.DOTALL)
 
 
-def convert(text: str, unit: str) -> float:
+def convert(text: str, unit: str, hint: str = "") -> float:
     """Value of a text such as ``"25 MPa"`` in `unit`, to 15 significant digits.
 
     Parameters
     ----------
     text : str
-        A number and a unit.
+        A number and a unit of `orthocut.params.units`.
     unit : str
-        Unit of the result, in pint's notation.
+        Unit of the result.
+    hint : str
+        Unit to suggest in errors; default `unit`.
 
     Raises
     ------
     ValueError
-        If the text is not a number with a unit of the same dimension.
+        If the text is not a number with a unit of the same dimensions.
     """
-    import pint
-
+    hint = hint or unit
     form = _FORM.fullmatch(text)
     if form is None:
-        raise ValueError(f"is not a number with a unit, such as '1 {unit}'")
-    if form["unit"] is None:
-        raise ValueError(f"has no unit, write for example '{text.strip()} {unit}'")
+        raise ValueError(f"is not a number with a unit, such as '1 {hint}'")
+    if not (form["unit"] or "").strip():
+        raise ValueError(f"has no unit, write for example '{text.strip()} {hint}'")
     try:
-        return float(f"{_registry().Quantity(text).to(unit).magnitude:.15g}")
-    except pint.DimensionalityError as error:
-        raise ValueError(f"is not a quantity in {unit}") from error
-    except (
-        pint.PintError,
-        AttributeError,
-        AssertionError,
-        ArithmeticError,
-        TypeError,
-        ValueError,
-        tokenize.TokenError,
-    ) as error:
-        raise ValueError(f"is not a number with a unit, such as '1 {unit}'") from error
+        scale, dimensions = unit_of(form["unit"].strip())
+    except ValueError as error:
+        raise ValueError(f"is not a number with a unit, such as '1 {hint}': {error}") from error
+    wanted, needed = unit_of(unit)
+    if dimensions != needed:
+        raise ValueError(f"is not a quantity in {hint}")
+    return float(f"{float(form['number']) * scale / wanted:.15g}")
 
 
 @dataclass(frozen=True)
@@ -93,7 +80,7 @@ class Quantity:
                 "quantity_unit", "{why} ({allowed})", {"why": f"needs a unit, such as '{example}'", "allowed": allowed}
             )
         try:
-            number = convert(value, self.unit)
+            number = convert(value, self.unit, self.display)
         except ValueError as error:
             raise PydanticCustomError(
                 "quantity", "{why} ({allowed})", {"why": str(error), "allowed": allowed}

@@ -26,13 +26,15 @@ def test_both_files_hold_the_same_rows(tmp_path):
     ]
 
 
-def test_run_times_list_each_case_once_and_sum_up():
+def test_run_times_name_each_case_its_size_and_sum_up():
     cut, other = mpm_run(snapshots=0, wall_time=2.5), dem_cut_run(wall_time=4.0, **BIG)
-    table = tables.run_times([cut, other, collect([cut, other])])
-    times = {row[0]: row[2] for row in table.rows}
-    assert times[cut.attrs["case_id"]] == 2.5
-    assert times[other.attrs["case_id"]] == 4.0
-    assert table.rows[-1] == ["2 cases", "total", 6.5]
+    cut.attrs |= {"particles": 700, "steps": 9000}
+    table = tables.run_times([cut, other], {cut.attrs["case_id"]: "soft", other.attrs["case_id"]: "brittle"})
+    assert table.rows[1] == [cut.attrs["case_id"], "soft", 700, 9000, 2.5]
+    assert table.rows[0][-1] == 4.0
+    assert math.isnan(table.rows[0][2])
+    assert table.rows[-1][:2] == ["2 cases", "total"]
+    assert table.rows[-1][-1] == 6.5
 
 
 def test_table_4_compares_means_of_replicates_with_the_paper():

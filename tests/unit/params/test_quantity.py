@@ -26,6 +26,11 @@ def mpm(**fields):
         ("180 deg", "rad", math.pi),
         ("0.02 mm/min", "m/s", 0.02e-3 / 60),
         ("10 mm^-2", "m^-2", 1e7),
+        ("30°", "rad", math.pi / 6),
+        ("7.5 µm", "m", 7.5e-6),
+        ("2 kJ/m**2", "J/m^2", 2e3),
+        ("1 g / cm^3", "kg/m^3", 1e3),
+        ("3 N m", "J", 3.0),
     ],
 )
 def test_convert(text, unit, value):
