@@ -15,7 +15,6 @@ from pydantic_core import PydanticCustomError, core_schema
 
 from orthocut.params.units import unit_of
 
-
 _FORM = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)(?P<unit>[^\d.].*?)?\s*", re.DOTALL)
 
 

@@ -25,7 +25,7 @@ UNITS: dict[str, tuple[float, Dimensions]] = {
 """Name to its value in SI units and its dimensions."""
 
 _SPELLINGS = {"µ": "u", "μ": "u", "°": "deg", "**": "^"}
-_FACTOR = re.compile(r"(?P<sign>^|[*/]|\s)\s*(?P<name>[a-zA-Z]+)(\^(?P<power>-?\d+))?\s*")
+_FACTOR = re.compile(r"(?P<sign>\s*[*/]\s*|\s+|^)(?P<name>[a-zA-Z]+)(\^(?P<power>-?\d+))?")
 
 
 @cache
@@ -45,7 +45,7 @@ def unit_of(text: str) -> tuple[float, Dimensions]:
         if factor is None or factor["name"] not in UNITS:
             raise ValueError(f"{text!r} is not a unit (known: {', '.join(UNITS)})")
         value, powers = UNITS[factor["name"]]
-        power = int(factor["power"] or 1) * (-1 if factor["sign"] == "/" else 1)
+        power = int(factor["power"] or 1) * (-1 if "/" in factor["sign"] else 1)
         scale *= value**power
         dimensions = tuple(a + power * b for a, b in zip(dimensions, powers, strict=True))
         at = factor.end()

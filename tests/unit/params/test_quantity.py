@@ -31,6 +31,7 @@ def mpm(**fields):
         ("2 kJ/m**2", "J/m^2", 2e3),
         ("1 g / cm^3", "kg/m^3", 1e3),
         ("3 N m", "J", 3.0),
+        ("10 /mm^2", "m^-2", 1e7),
     ],
 )
 def test_convert(text, unit, value):
