@@ -46,7 +46,7 @@ def energy_data(history: list[Energies], start: Energies) -> dict[str, np.ndarra
 
 def closure(last: Energies, start: Energies) -> float:
     """Energy not accounted for over the work done and the energy at the start."""
-    return abs(start.total - last.total) / (abs(last.work_tool) + abs(start.energy_kinetic))
+    return (start.total - last.total) / (abs(last.work_tool) + abs(start.energy_kinetic))
 
 
 def packing_data(packed: PackedDiscs, scene: Scene) -> dict[str, tuple[tuple[str, ...], Any]]:

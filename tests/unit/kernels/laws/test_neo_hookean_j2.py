@@ -162,4 +162,13 @@ def test_determinant_of_elastic_strain_stays_one_through_plastic_flow():
     # the deviator follows from the stored tensor only if its determinant, with bzz = 1/(bxx byy - bxy^2), is one
     bzz = 1 / (bxx * byy - bxy**2)
     third = (bxx + byy + bzz) / 3
-    assert sample.material.modulus_shear * (bzz - third) == pytest.approx(szz, abs=1e-6 * norm)
+    assert sample.material.modulus_shear * (bzz - third) == pytest.approx(szz, abs=1e-8 * norm)
+
+
+def test_dilation_in_one_large_increment_keeps_the_isochoric_part():
+    """The series for det(f)^(-2/3) is exact to third order in the change of volume."""
+    stretch = 1.02
+    sample = Sample(ElasticPlastic(stress_yield="100 GPa")).step(np.diag([stretch, stretch]))
+    exact = stretch**2 / stretch ** (4 / 3)
+    assert sample.state[0] == pytest.approx(exact, abs=3e-6)
+    assert sample.state[1] == pytest.approx(exact, abs=3e-6)
