@@ -4,6 +4,8 @@ PYTHON ?= python3
 CORES ?= all
 STUDY ?= quick
 TEST_JOBS ?= 2
+PUBLISHED := nairn2015_fig03 nairn2015_fig04 nairn2015_fig05 nairn2015_fig08 energy_balance \
+	yang2018_fig07 yang2018_fig08 yang2018_fig11 yang2018_fig13 yang2018_table4
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/installed.stamp
@@ -12,7 +14,7 @@ SHELL := bash
 PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
 	/^Installing collected/ {print "  unpacking"; fflush()} /^ *(ERROR|error)/ {print; fflush()}'
 
-.PHONY: help figures dry-run report test lint format config clean benchmark
+.PHONY: help figures publish dry-run report test lint format config clean benchmark
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
@@ -36,6 +38,11 @@ figures: $(STAMP) ## run a study and draw its figures and tables into results/ (
 
 dry-run: $(STAMP) ## say what `make figures` would do, and why
 	@$(BIN)/snakemake --dry-run --config study=$(STUDY)
+
+publish: figures ## copy some pictures and all tables of the study to results/published, which is tracked
+	@mkdir -p results/published/figures results/published/tables
+	@cp $(PUBLISHED:%=results/figures/%.png) results/published/figures
+	@cp results/tables/* results/published/tables
 
 report: figures ## one HTML page with all figures and tables: results/report.html
 	@$(BIN)/snakemake --config study=$(STUDY) --report results/report.html

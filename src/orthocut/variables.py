@@ -113,7 +113,7 @@ VARIABLES: dict[str, Variable] = {
     "energy_cohesive": Variable("E_{coh}", "J/m", "work on the cohesive zone"),
     "energy_fracture": Variable("E_{frac}", "J/m", "energy released by broken joints"),
     "energy_friction": Variable("E_{fric}", "J/m", "work of friction"),
-    "energy_contact": Variable("E_{con}", "J/m", "energy lost in contact impacts"),
+    "energy_contact": Variable("E_{con}", "J/m", "energy lost in contacts, by impacts and transfers"),
     "energy_numerical": Variable("E_{num}", "J/m", "energy lost in transfers between points and grid"),
     "energy_damping": Variable("E_{damp}", "J/m", "energy removed by damping"),
     "energy_residual": Variable("E_{res}", "J/m", "work of the tool not accounted for"),
