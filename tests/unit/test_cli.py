@@ -2,6 +2,10 @@
 
 import json
 import math
+import shlex
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 import xarray as xr
@@ -13,6 +17,7 @@ from orthocut.io.datasets import build
 from orthocut.io.netcdf import read
 from orthocut.measure.guard import Diverged
 
+ROOT = Path(__file__).parents[2]
 VERBS = [
     [],
     ["run"],
@@ -108,7 +113,7 @@ def test_run_replaces_its_own_result_but_nothing_else(simulated, tmp_path):
         (["run", "fem"], "fem: cannot be read"),
         (
             ["run", "mpm", "--set", "cut_depth=0.9"],
-            "cut_depth = 0.9: needs a unit, such as '0.02 mm' (allowed: 0.02 mm to 20 mm)",
+            "cut_depth = 0.9: needs a unit, such as '0.9 mm' (allowed: 0.02 mm to 20 mm)",
         ),
         (
             ["run", "mpm", "--set", "cut_depth=90 mm"],
@@ -200,7 +205,16 @@ def test_theory_without_a_solution_says_why():
     result = call("theory", "bending", "--rake-angle", "10 deg", "--friction", "0.6", "--json")
     assert result.exit_code == 1
     assert json.loads(result.stdout)["force_over_toughness"] is None
-    assert "does not lift the chip" in result.stderr
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("error: ")
+    assert "does not lift the chip" in line
+
+
+def test_a_reader_that_stops_early_is_no_error():
+    verb = f"{shlex.quote(sys.executable)} -c 'from orthocut.cli import app; app()' study expand quick"
+    done = subprocess.run(["bash", "-c", f"{verb} | head -n 1"], capture_output=True, text=True, cwd=ROOT, check=False)
+    assert done.stderr == ""
+    assert len(done.stdout.splitlines()) == 1
 
 
 STUDY = """\

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import json
 import math
+import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -26,8 +27,12 @@ def guarded(verb: Callable[..., None]) -> Callable[..., None]:
     def wrapped(*args: Any, **options: Any) -> None:
         try:
             verb(*args, **options)
+        except (typer.Exit, typer.Abort):
+            raise
         except ConfigError as error:
             fail(str(error), BAD_INPUT)
+        except BrokenPipeError:  # whoever read our output, such as `head`, has seen enough
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         except KeyboardInterrupt:
             fail("interrupted, no file was written", INTERRUPTED)
         except (RuntimeError, OSError, FloatingPointError) as error:

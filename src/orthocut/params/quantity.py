@@ -74,7 +74,8 @@ class Quantity:
         """Value in SI; raise `PydanticCustomError` naming the value and the allowed range."""
         allowed = f"allowed: {self.low} to {self.high}"
         if not isinstance(value, str):
-            example = self.high if self.low.startswith("0 ") else self.low
+            plain = isinstance(value, (int, float)) and not isinstance(value, bool)
+            example = f"{value:g} {self.display or self.unit}" if plain else self.high
             raise PydanticCustomError(
                 "quantity_unit", "{why} ({allowed})", {"why": f"needs a unit, such as '{example}'", "allowed": allowed}
             )
