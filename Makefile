@@ -65,9 +65,8 @@ format: $(STAMP) ## format Python and Snakemake files
 config: $(STAMP) ## write the default values and the schema of studies from the models
 	@$(BIN)/python -m orthocut.params.schema workflow/config
 
-benchmark: $(STAMP) ## measure the cost of a step of each method
-	@$(BIN)/orthocut bench mpm
-	@$(BIN)/orthocut bench dem
+benchmark: $(STAMP) ## measure the cost of a step of each method for several sizes
+	@$(BIN)/python benchmarks/step_cost.py
 
 clean: ## remove the environment and the results, except the published ones
 	rm -rf $(VENV) .snakemake
