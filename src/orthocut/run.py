@@ -83,7 +83,7 @@ def estimate_seconds(case: Case) -> float:
     if case.kind == "mpm_cutting":
         work = case.workpiece
         points = work.length_ratio * (1 + work.base_ratio) * case.numerics.points_per_depth**2
-        return _SECONDS_START + points * case.duration / case.time_step * _SECONDS_PER_POINT_STEP
+        return _SECONDS_START + points * case.steps * _SECONDS_PER_POINT_STEP
 
     packing, joint = case.packing, case.joint
     mean_square = packing.radius_min**2 * (1 + packing.radius_ratio + packing.radius_ratio**2) / 3

@@ -2,12 +2,13 @@
 
 Axes: x along the cut, against the motion of the tool; y up, out of the workpiece. All quantities are SI for unit width
 out of the plane: forces in N/m, energies in J/m. Tension is positive. Forces on the tool are positive where the tool
-pushes the workpiece along its motion (cutting) and down into it (thrust).
+pushes the workpiece along its motion (cutting) and down into it (thrust). Reactions are forces of the clamp on the
+workpiece in the same directions, so that a steady reaction is the negative of the force.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Variable(NamedTuple):
@@ -41,7 +42,7 @@ VARIABLES: dict[str, Variable] = {
     "strength": Variable(r"\sigma_c", "Pa", "cohesive stress", *_MPA),
     "points_per_depth": Variable("n", "1", "material points through the depth of cut"),
     "seed": Variable("s", "1", "seed of the packing"),
-    "grooved": Variable("", "1", "grooves in the surface (1) or not (0)"),
+    "grooved": Variable(r"g", "1", "grooves in the surface (1) or not (0)"),
     # other parameters of cases
     "kind": Variable("", "1", "kind of the run"),
     "case_id": Variable("", "1", "name of the case"),
@@ -101,8 +102,8 @@ VARIABLES: dict[str, Variable] = {
     "force_thrust_chip": Variable("F_t^{chip}", "N/m", "thrust force from the chip", *_N_MM),
     "force_cutting_base": Variable("F_s^b", "N/m", "cutting force from rubbing on the base", *_N_MM),
     "force_thrust_base": Variable("F_n^b", "N/m", "thrust force from rubbing on the base", *_N_MM),
-    "reaction_cutting": Variable("R_c", "N/m", "reaction of the clamp along the cut", *_N_MM),
-    "reaction_thrust": Variable("R_t", "N/m", "reaction of the clamp across the cut", *_N_MM),
+    "reaction_cutting": Variable("R_c", "N/m", "force of the clamp on the workpiece along the cut", *_N_MM),
+    "reaction_thrust": Variable("R_t", "N/m", "force of the clamp on the workpiece across the cut", *_N_MM),
     "tool_tip": Variable("x_{tool}", "m", "position of the tool tip", *_MM),
     "crack_tip": Variable("x_{crack}", "m", "position of the crack tip", *_MM),
     "crack_gap": Variable("g", "m", "distance from the tool tip ahead to the crack tip", *_MM),
@@ -132,17 +133,25 @@ VARIABLES: dict[str, Variable] = {
     "force_thrust_error": Variable(r"\Delta F_t", "N/m", "standard error of the mean thrust force", *_N_MM),
     "force_cutting_peak": Variable(r"F_{c,max}", "N/m", "peak cutting force", *_N_MM),
     "force_thrust_peak": Variable(r"F_{t,max}", "N/m", "peak thrust force", *_N_MM),
-    "force_cutting_rms": Variable(r"F_{c,rms}", "N/m", "root mean square of the cutting force", *_N_MM),
-    "force_thrust_rms": Variable(r"F_{t,rms}", "N/m", "root mean square of the thrust force", *_N_MM),
-    "force_cutting_drift": Variable("", "1", "drift of the cutting force over the window, over its mean"),
+    "force_cutting_rms": Variable(
+        r"F_{c,rms}", "N/m", "root mean square of the interval means of the cutting force", *_N_MM
+    ),
+    "force_thrust_rms": Variable(
+        r"F_{t,rms}", "N/m", "root mean square of the interval means of the thrust force", *_N_MM
+    ),
+    "force_cutting_drift": Variable(r"\delta_F", "1", "drift of the cutting force in the window, over its mean"),
     "crack_gap_mean": Variable("g", "m", "mean distance from tool tip to crack tip", *_MM),
-    "touching": Variable("", "1", "whether the tool touches the crack tip (1) or the chip bends ahead of it (0)"),
+    "touching": Variable(
+        r"I_{touch}", "1", "whether the tool touches the crack tip (1) or the chip bends ahead of it (0)"
+    ),
     "mode_one_fraction": Variable(r"J_I/J_c", "1", "fraction of mode I in the energy of failure", "%", 100.0),
-    "energy_closure": Variable("", "1", "energy not accounted for, over the work of the tool", "%", 100.0),
+    "energy_closure": Variable(r"\delta_E", "1", "energy not accounted for, over the work of the tool", "%", 100.0),
     "modulus_young": Variable("E", "Pa", "Young's modulus", "GPa", 1e-9),
     "ratio_poisson": Variable(r"\nu", "1", "Poisson's ratio"),
     "strength_ultimate": Variable(r"\sigma_u", "Pa", "magnitude of the largest axial stress", *_MPA),
-    "strain_peak": Variable(r"\varepsilon_u", "1", "axial strain at the largest stress", "%", 100.0),
+    "strain_peak": Variable(
+        r"\varepsilon_u", "1", "axial strain in the measurement region at the largest stress", "%", 100.0
+    ),
     "cracks_tension_total": Variable("N_t", "1", "number of elements broken in tension at the end"),
     "cracks_shear_total": Variable("N_s", "1", "number of elements broken in shear at the end"),
     "disc_count": Variable("N", "1", "number of discs of the packing"),
@@ -166,17 +175,25 @@ VARIABLES: dict[str, Variable] = {
     "disc_radius": Variable("R", "m", "radius", "um", 1e6),
     "bond_first": Variable("i", "1", "index of the first disc of a joint"),
     "bond_second": Variable("j", "1", "index of the second disc of a joint"),
-    "bond_intact": Variable("", "1", "fraction of the elements of a joint that are bonded"),
+    "bond_intact": Variable(r"\phi_b", "1", "fraction of the elements of a joint that are bonded"),
     "crack_x": Variable("x", "m", "place of the crack along the cut", *_MM),
     "crack_y": Variable("y", "m", "place of the crack across the cut", *_MM),
     "crack_normal": Variable(r"\theta", "rad", "direction of the crack normal to the x axis", *_DEG),
     "crack_time": Variable("t", "s", "time of the crack", *_MS),
-    "crack_mode": Variable("", "1", "mode of the crack: 0 tension, 1 shear"),
+    "crack_mode": Variable(r"m", "1", "mode of the crack: 0 tension, 1 shear"),
     "crack_bond": Variable("b", "1", "index of the joint of the crack"),
 }
 
 
-def attributes(name: str) -> dict[str, str]:
+FLAGS = {
+    "crack_mode": "tension shear",
+    "touching": "bending touching",
+    "grooved": "regular grooved",
+}
+"""Meanings of 0, 1, ... for variables that are flags."""
+
+
+def attributes(name: str) -> dict[str, Any]:
     """Attributes of a variable in netCDF files: units, long_name, symbol.
 
     Raises
@@ -185,7 +202,10 @@ def attributes(name: str) -> dict[str, str]:
         If the table does not hold the name.
     """
     row = VARIABLES[name]
-    return {"units": row.unit, "long_name": row.long_name, "symbol": row.symbol}
+    known = {"units": row.unit, "long_name": row.long_name, "symbol": row.symbol}
+    if name in FLAGS:
+        known |= {"flag_values": list(range(len(FLAGS[name].split()))), "flag_meanings": FLAGS[name]}
+    return known
 
 
 def label(name: str) -> str:

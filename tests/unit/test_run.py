@@ -49,9 +49,9 @@ def test_every_kind_has_a_smallest_case_and_a_cost():
 
 def test_cost_grows_as_the_work_does():
     coarse, fine = (estimate_seconds(load("mpm", {"points_per_depth": n})) - 3 for n in (8, 16))
-    assert fine / coarse == pytest.approx(8, rel=1e-6)
+    assert fine / coarse == pytest.approx(8, rel=1e-3)
     coarse, fine = (estimate_seconds(load("dem", {"radius_min": f"{r} um"})) - 3 for r in (20, 10))
-    assert fine / coarse == pytest.approx(8, rel=1e-6)
+    assert fine / coarse == pytest.approx(8, rel=1e-3)
 
 
 def test_plan_holds_each_case_once(tmp_path):

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from orthocut.experiments import mpm_cutting
 from orthocut.experiments.mpm_cutting import simulate
 from orthocut.measure.guard import Diverged
 from orthocut.params.case import load
@@ -126,3 +127,31 @@ def test_stiff_interface_shortens_the_time_step():
     soft, stiff = load("mpm", SHORT), load("mpm", {**SHORT, "strength": "400 MPa"})
     assert stiff.time_step < 0.2 * soft.time_step
     assert abs(float(simulate(stiff).energy_closure)) < 0.05
+
+
+def test_tool_travels_as_far_as_the_case_says_however_often_it_is_sampled(monkeypatch):
+    case = load("mpm", {**SHORT, "travel_ratio": 1.3, "window_ratio": 0.5})
+    many = simulate(case)
+    assert float(many.tool_travel[-1]) == pytest.approx(1.3 * case.cut_depth, abs=case.cut_speed * case.time_step)
+    assert float(many.time[-1]) == pytest.approx(case.duration, rel=1e-9)
+    monkeypatch.setattr(mpm_cutting, "SAMPLES", 120)
+    few = simulate(case)
+    for name in ("point_x", "point_y", "point_stress"):
+        np.testing.assert_array_equal(few[name][-1], many[name][-1])
+    assert float(few.work_tool[-1]) == float(many.work_tool[-1])
+
+
+def test_elastic_cut_pays_for_the_crack_and_for_the_transfers_alone():
+    """Without plasticity and friction the force is the toughness; the balance finds all that is more in transfers."""
+    case = load("mpm", {"points_per_depth": 6, "stress_yield": "100 GPa", "modulus_tangent": "0 MPa"})
+    run = simulate(case)
+    late = slice(300, None)
+    change = {
+        name: float(run[name][late][-1] - run[name][late][0]) for name in run.data_vars if run[name].dims == ("sample",)
+    }
+    per_travel = {name: value / change["tool_travel"] for name, value in change.items()}
+    lost = per_travel["energy_numerical"] + per_travel["energy_contact"]
+    stored = per_travel["energy_elastic"] + per_travel["energy_kinetic"]
+    assert per_travel["energy_plastic"] == 0.0
+    assert per_travel["work_tool"] - lost - stored == pytest.approx(case.interface.toughness, rel=0.05)
+    assert lost > 0.3 * case.interface.toughness

@@ -67,13 +67,14 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
     state = setup.build(case)
     solver = Solver(state)
     frame = state.frame
-    steps = math.ceil(case.duration / frame.time_step / SAMPLES)
+    ends = [case.steps * sample // SAMPLES for sample in range(SAMPLES + 1)]
     face = state.totals[step.TIP]
     histories: dict[str, list[float]] = {}
     snapshots = []
     shots = {round(SAMPLES * k / SNAPSHOTS) for k in range(1, SNAPSHOTS + 1)}
     for sample in range(1, SAMPLES + 1):
         before = state.totals.copy()
+        steps = ends[sample] - ends[sample - 1]
         solver.advance(steps)
         record = _sample(solver, before, steps * frame.time_step, face)
         _check(solver, record, case)
@@ -91,7 +92,7 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
     dataset = build(case, "Orthogonal cut with material points", data, {"time": data.pop("time")})
     dataset.attrs |= {
         "particles": state.point_count,
-        "steps": steps * SAMPLES,
+        "steps": case.steps,
         "time_step_s": frame.time_step,
         "cell_m": frame.cell,
     }
@@ -137,6 +138,7 @@ def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) ->
     cutting, thrust, rubbing, gap = (
         block_mean(arrays[name][window]) for name in ("force_cutting", "force_thrust", "force_thrust_base", "crack_gap")
     )
+    reach = TOUCHING_CELLS * solver.state.frame.cell
     pairs = solver.state.interface
     start = arrays["time"][window][0] if window.any() else math.inf
     failed = pairs[interface.FAILED_AT] >= start
@@ -148,7 +150,7 @@ def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) ->
         "force_thrust_error": thrust.error,
         "force_rubbing_mean": rubbing.value,
         "crack_gap_mean": gap.value,
-        "touching": float(gap.value < TOUCHING_CELLS * solver.state.frame.cell),
+        "touching": float(gap.value < reach) if math.isfinite(gap.value) else math.nan,
         "mode_one_fraction": float(pairs[interface.MODE_ONE, failed].mean()) if failed.any() else math.nan,
         "energy_closure": arrays["energy_residual"][-1] / arrays["work_tool"][-1],
     }

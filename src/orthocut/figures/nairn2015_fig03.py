@@ -12,12 +12,14 @@ from orthocut.figures.canvas import cases, nothing, page, styled, values
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import touches
 from orthocut.io.collect import case_of
+from orthocut.theory import bending, touching
 
 CAPTION = (
     "Cutting force over particle size, after Nairn (2015), Fig. 3B, and the share of the tool's work in the second "
-    "half of the cut that transfers between points and grid lose. Bars: standard error of the mean. Lines: straight "
+    "half of the cut that transfers between points and grid lose. Bars: standard error of the mean. Dashed: straight "
     "fits; their ends at zero are an estimate of the converged force, and the distance of a run from it is its "
-    "discretisation error. Open symbols: the tool touches the crack tip."
+    "discretisation error. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool "
+    "touches the crack tip."
 )
 DIMS = ("sample",)
 
@@ -49,7 +51,8 @@ def draw(dataset: xr.Dataset) -> Figure:
             loss.plot(size, _share_lost(run), "o", color=colour, mfc=face)
         if len(runs) > 2:
             ends = np.array([0.0, sizes.max()])
-            force.plot(ends, np.polyval(np.polyfit(sizes, forces, 1), ends), color=colour, lw=0.8)
+            force.plot(ends, np.polyval(np.polyfit(sizes, forces, 1), ends), color=colour, lw=0.8, ls="--")
+        force.plot(0.0, _model(runs[0]), marker=5, color=colour, clip_on=False)
         name = f"$h$ = {depth * 1e3:g} mm, $E_T$ = {tangent * 1e-6:g} MPa"
         force.plot([], [], "o", color=colour, label=name)
     force.set_xlim(left=0)
@@ -57,6 +60,13 @@ def draw(dataset: xr.Dataset) -> Figure:
     loss.set_ylim(bottom=0)
     figure.legend(loc="outside upper center", ncols=1)
     return figure
+
+
+def _model(run: xr.Dataset) -> float:
+    """Force over toughness of the touching or of the bending model, as the run has it."""
+    case = case_of(run)
+    model = touching if touches(run) else bending
+    return model.solve(case.material, case.interface, case.tool, case.cut_depth).force_over_toughness
 
 
 def _share_lost(run: xr.Dataset) -> float:

@@ -44,7 +44,7 @@ def _panel(ax, run: xr.Dataset) -> None:
     averaged = time[travel >= case.window_ratio * case.cut_depth * 1e3]
     if averaged.size:
         ax.axvspan(averaged[0], end, color="#F3F3F3", zorder=0)
-    ax.axvline(case.numerics.ramp_fraction * end, color="0.6", lw=0.8)
+    ax.axvline(1e3 * case.numerics.ramp_fraction * case.duration, color="0.6", lw=0.8)
     name_axes(ax, "time", "force on the tool [N/mm]")
     ax.set_xlim(0, end)
     ax.axhline(0, color="0.4", lw=0.6)

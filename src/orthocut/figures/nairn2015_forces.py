@@ -19,11 +19,12 @@ CAPTION = (
     "Cutting force over depth of cut, both dimensionless, after Nairn (2015), Figs 8 and 11-15. Open symbols: the "
     "tool touches the crack tip; filled: a gap separates them; bars: standard error of the mean. Dotted: touching "
     "model, eq. (14). Dashed: bending model as printed, eqs (18), (19), with a straight line through the rubbing "
-    "forces of the runs that bend. Solid: bending model with the chip in balance, without rubbing."
+    "forces of the runs that bend. Solid: bending model with the chip in balance, without rubbing. "
+    "Runs carry a discretisation error beside the bars: see the figure of force over particle size."
 )
 DIMS = ()
 CURVE_POINTS = 60
-MODELS = ((":", "touching model"), ("--", "bending, paper"), ("-", "bending, consistent"))
+MODELS = ((":", "touching model"), ("--", "bending, printed"), ("-", "bending, consistent"))
 
 
 @styled

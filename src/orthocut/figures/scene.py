@@ -65,12 +65,14 @@ def wedge(tool: Tool, tip_x: float, tip_y: float, size: float) -> np.ndarray:
 
 
 def draw_tool(ax: Axes, tool: Tool, tip_x: float, tip_y: float, size: float, filled: bool = True) -> None:
-    """The wedge, filled and behind the material, or outlined before it; nothing if its place is not known."""
+    """The wedge, filled behind the material, or outlined and shaded before it; nothing if its place is not known."""
     if math.isfinite(tip_x):
-        style = {"fc": TOOL_FACE, "ec": TOOL_EDGE, "zorder": 1.5}
-        if not filled:
-            style = {"fc": "none", "ec": TOOL_EDGE, "lw": 1.2, "zorder": 3}
-        ax.add_patch(Polygon(wedge(tool, tip_x, tip_y, size), closed=True, **style))
+        corners = wedge(tool, tip_x, tip_y, size)
+        if filled:
+            ax.add_patch(Polygon(corners, closed=True, fc=TOOL_FACE, ec=TOOL_EDGE, zorder=1.5))
+            return
+        ax.add_patch(Polygon(corners, closed=True, fc=TOOL_FACE, ec="none", alpha=0.35, zorder=2.9))
+        ax.add_patch(Polygon(corners, closed=True, fc="none", ec=TOOL_EDGE, lw=1.2, zorder=3))
 
 
 def draw_discs(ax: Axes, run: xr.Dataset, snapshot: int, face=DISC_FACE, edge=DISC_EDGE, width=0.15) -> None:

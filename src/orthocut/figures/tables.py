@@ -56,7 +56,7 @@ def write(table: Table, stem: str | Path) -> list[Path]:
 
 
 def run_times(runs: list[xr.Dataset], labels: Mapping[str, str]) -> Table:
-    """Size and run time of each case, and the total.
+    """Size, closure of the energy balance and run time of each case, and the total.
 
     Parameters
     ----------
@@ -69,7 +69,8 @@ def run_times(runs: list[xr.Dataset], labels: Mapping[str, str]) -> Table:
     for run in sorted(runs, key=lambda run: labels.get(run.attrs["case_id"], "")):
         name = run.attrs["case_id"]
         size = [int(run.attrs[key]) if key in run.attrs else math.nan for key in ("particles", "steps")]
-        rows.append([name, labels.get(name, ""), *size, float(run.attrs.get("wall_time_s", math.nan))])
+        closure = 100.0 * float(run["energy_closure"]) if "energy_closure" in run else math.nan
+        rows.append([name, labels.get(name, ""), *size, closure, float(run.attrs.get("wall_time_s", math.nan))])
     total = float(np.nansum([row[-1] for row in rows]))
-    header = ["case", "what", "points or discs", "steps", "run time [s]"]
-    return Table("Run times", header, [*rows, [f"{len(rows)} cases", "total", math.nan, math.nan, total]])
+    header = ["case", "what", "points or discs", "steps", "energy not accounted for [%]", "run time [s]"]
+    return Table("Run times", header, [*rows, [f"{len(rows)} cases", "total", math.nan, math.nan, math.nan, total]])

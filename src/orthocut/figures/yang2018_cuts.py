@@ -68,6 +68,8 @@ def _forces(ax, runs: list[xr.Dataset]) -> None:
     for run in runs[1:]:
         for name in ("force_cutting", "force_thrust"):
             ax.plot(values(run, "tool_travel"), values(run, name), color=QUANTITY[name], lw=0.5, alpha=0.3)
+    if len(runs) > 1:
+        ax.plot([], [], color="0.75", lw=0.8, label="others")
     draw_forces(ax, runs[0], lw=0.8)
     for name in ("force_cutting", "force_thrust"):
         means = [float(values(run, f"{name}_mean")) for run in runs]
@@ -75,4 +77,4 @@ def _forces(ax, runs: list[xr.Dataset]) -> None:
             ax.axhline(np.nanmean(means), color=QUANTITY[name], ls=":", lw=1.0)
     ax.axhline(0, color="0.4", lw=0.6)
     ax.set_xlim(0, max(np.nanmax(values(run, "tool_travel")) for run in runs))
-    ax.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2, borderaxespad=0, columnspacing=1.0)
+    ax.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=3, borderaxespad=0, columnspacing=1.0)

@@ -132,7 +132,8 @@ def _join(runs: list[xr.Dataset], lengths: Mapping[str, int]) -> dict[str, Any]:
         values = np.full((len(runs), *(lengths[dim] for dim in dims)), fill, dtype)
         for index, variable in holders.items():
             values[(index, *(slice(length) for length in variable.shape))] = variable.values
-        joined[name] = (("case", *dims), values, dict(next(iter(holders.values())).attrs))
+        known = attributes(name) if name in VARIABLES else dict(next(iter(holders.values())).attrs)
+        joined[name] = (("case", *dims), values, known)
     return joined
 
 

@@ -6,6 +6,7 @@ import subprocess
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
+from platform import python_version
 
 from orthocut.params.block import Block
 from orthocut.params.identity import canonical, case_id, digest_numbers
@@ -34,7 +35,7 @@ def _git_commit() -> str:
 
 def provenance(case: Block) -> dict[str, str]:
     """Global attributes that let a reader repeat the run."""
-    packages = ("orthocut", "numpy", "numba", "llvmlite", "xarray")
+    packages = ("orthocut", "numpy", "numba", "llvmlite", "scipy", "xarray")
     return {
         "Conventions": "CF-1.11",
         "kind": case.kind,
@@ -42,6 +43,6 @@ def provenance(case: Block) -> dict[str, str]:
         "case": canonical(case),
         "source_digest": digest_numbers(case.kind),
         "git_commit": _git_commit(),
-        "versions": ", ".join(f"{name} {version(name)}" for name in packages),
+        "versions": ", ".join([f"python {python_version()}", *(f"{name} {version(name)}" for name in packages)]),
         "references": _REFERENCES[case.kind.split("_")[0]],
     }

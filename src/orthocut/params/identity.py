@@ -14,7 +14,7 @@ from orthocut.params.block import Block
 _PACKAGE = Path(__file__).resolve().parent.parent
 _METHODS = ("mpm", "dem")
 _NUMBERS = ("kernels", "mpm", "dem", "experiments", "measure", "params")
-_PICTURES = ("figures", "theory", "variables.py")
+_PICTURES = ("figures", "theory", "params", "variables.py")
 _DATASETS = ("io", "variables.py")
 _INPUT_ONLY = ("__init__", "block", "case", "identity", "quantity", "schema", "study", "text", "units")
 _LIBRARIES = ("numpy", "numba", "llvmlite", "scipy")

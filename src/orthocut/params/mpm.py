@@ -82,12 +82,17 @@ class MpmCutting(Block):
         return 2.0 * self.cut_depth / self.numerics.points_per_depth
 
     @property
-    def time_step(self) -> float:
-        """Courant number times the largest stable time step, about: of pressure waves and of the interface [s].
+    def steps(self) -> int:
+        """Number of time steps: enough for a Courant number times the largest stable step, about, and at least 500.
 
-        The interface couples two layers of nodes, each of half a cell's mass, by its initial stiffness, which gives the
-        frequency 2 sqrt(stiffness/(density cell)).
+        That step is the smaller one of pressure waves and of the interface, which couples two layers of nodes, each of
+        half a cell's mass, by its initial stiffness, with the frequency 2 sqrt(stiffness/(density cell)).
         """
         wave = self.cell / self.material.speed_pressure_wave
         spring = math.sqrt(self.material.density * self.cell / self.interface.stiffness)
-        return self.numerics.courant * min(wave, spring)
+        return max(math.ceil(self.duration / (self.numerics.courant * min(wave, spring))), 500)
+
+    @property
+    def time_step(self) -> float:
+        """Time step; all steps together are the duration [s]."""
+        return self.duration / self.steps
