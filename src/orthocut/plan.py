@@ -7,9 +7,12 @@ from pathlib import Path
 
 from orthocut.figures.registry import FIGURES, WITHOUT_RUNS, module
 from orthocut.params.block import ConfigError, hint
-from orthocut.params.case import Case
+from orthocut.params.case import KINDS, Case
 from orthocut.params.study import load_study
 from orthocut.run import estimate_seconds
+
+METHODS = {"nairn2015": "mpm_", "yang2018": "dem_"}
+"""Paper of a figure to the start of the kinds of cases that it draws; any other figure draws all kinds."""
 
 
 @dataclass(frozen=True)
@@ -48,17 +51,25 @@ def load_plan(path: Path) -> Plan:
         Names file, field, value and what is allowed; also if a figure does not exist.
     """
     study = load_study(path)
-    sweeps = study.cases(str(path))
+    sweeps, labels = study.expand(str(path))
     for figure, names in study.figures.items():
         if figure not in FIGURES:
             raise ConfigError(f"{path}: figures.{figure}: no such figure; {hint(figure, FIGURES)}")
         if bool(names) == (figure in WITHOUT_RUNS):
             need = "no sweeps: it draws theory alone" if names else "one sweep or more"
             raise ConfigError(f"{path}: figures.{figure} = {names}: this figure needs {need}")
+        method = METHODS.get(figure.split("_")[0], "")
+        for name in names:
+            kind = next(iter(sweeps[name].values())).kind
+            if not kind.startswith(method):
+                allowed = ", ".join(known for known in KINDS if known.startswith(method))
+                raise ConfigError(
+                    f"{path}: figures.{figure} = {names}: {name} is a sweep of {kind} (allowed: sweeps of {allowed})"
+                )
     return Plan(
         title=study.title,
         cases={case_id: case for cases in sweeps.values() for case_id, case in cases.items()},
-        labels=study.labels(str(path)),
+        labels=labels,
         figures={
             figure: list(dict.fromkeys(case_id for name in names for case_id in sweeps[name]))
             for figure, names in study.figures.items()

@@ -71,6 +71,7 @@ def test_version():
 
 
 def test_run_sets_fields_writes_and_reports(simulated, tmp_path):
+    (tmp_path / "a").mkdir()
     result = call(
         "run", "mpm", "--set", "cut_depth=0.5 mm", "--set", "tool.friction=3e-1", "--output", "a/cut.nc", "--json"
     )
@@ -127,8 +128,11 @@ def test_run_replaces_its_own_result_but_nothing_else(simulated, tmp_path):
             "tool.friction is already set by 'tool.friction=0.1'",
         ),
         (["run", "mpm", "--set", "tool={a: [}"], "--set tool, line 1"),
+        (["run", "mpm", "--set", "cut_depth=1e400 mm"], "cut_depth = '1e400 mm': is out of range"),
         (["run", "mpm", "--output", "."], "is a folder"),
-        (["run", "dem", "--set", "grooves=3"], "grooves = 3"),
+        (["run", "mpm", "--output", "no/cut.nc"], "--output no/cut.nc: no does not exist (allowed: a file in an exis"),
+        (["run", "mpm", "--output", f"{__file__}/cut.nc"], "test_cli.py is not a folder (allowed: a file in an exis"),
+        (["run", "dem", "--set", "grooves=3"], "grooves = 3: must hold the fields of Grooves (allowed: "),
         (["show", "none.nc"], "none.nc: cannot be read: no such file"),
         (["show", "none.nc", "--output", "a.doc"], "allowed: .png, .svg, .pdf"),
         (["study", "expand", "none.yaml"], "none.yaml: cannot be read: No such file"),
@@ -150,6 +154,21 @@ def test_bad_input_is_one_clear_line_and_exit_code_2(simulated, arguments, words
     assert not simulated
 
 
+def test_run_refuses_a_folder_that_cannot_be_written_to(simulated, monkeypatch):
+    monkeypatch.setattr("os.access", lambda path, mode: False)  # the user root may write everywhere
+    result = call("run", "mpm", "--output", "cut.nc")
+    assert result.exit_code == 2
+    assert "--output cut.nc: . cannot be written to" in result.stderr
+    assert not simulated
+
+
+@pytest.mark.parametrize(("text", "depth"), [("9e-4 m", 9e-4), ("1e-3 m", 1e-3), ("0.09e1 mm", 9e-4)])
+def test_run_takes_quantities_with_an_exponent(simulated, text, depth):
+    result = call("run", "mpm", "--set", f"cut_depth={text}")
+    assert result.exit_code == 0, result.stderr
+    assert simulated[0].cut_depth == depth
+
+
 def test_unknown_options_exit_with_2():
     assert call("run", "mpm", "--nonsense").exit_code == 2
 
@@ -160,6 +179,7 @@ def test_unknown_options_exit_with_2():
         (KeyboardInterrupt(), 130, "interrupted, no file was written"),
         (Diverged("energy is not finite\nat 3 ms"), 1, "error: energy is not finite at 3 ms"),
         (OSError(28, "No space left on device"), 1, "No space left"),
+        (MemoryError(), 1, "error: the case is too large for the memory of this machine\n"),
     ],
 )
 def test_failures_leave_no_file(monkeypatch, tmp_path, error, code, words):
@@ -231,6 +251,7 @@ def test_study_expand_and_status(simulated, tmp_path):
     report = json.loads(call("study", "expand", "s.yaml", "--json").stdout)
     assert [case["sweeps"] for case in report["cases"]] == [["a", "b"], ["a"]]
     first = report["cases"][0]["case_id"]
+    (tmp_path / "results" / "runs").mkdir(parents=True)
     assert call("run", "mpm", "--output", f"results/runs/{first}.nc").exit_code == 0
     status = json.loads(call("study", "status", "s.yaml", "--json").stdout)
     assert status["counts"] == {"done": 1, "out of date": 0, "missing": 1}

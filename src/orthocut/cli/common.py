@@ -35,6 +35,8 @@ def guarded(verb: Callable[..., None]) -> Callable[..., None]:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         except KeyboardInterrupt:
             fail("interrupted, no file was written", INTERRUPTED)
+        except MemoryError:
+            fail("the case is too large for the memory of this machine", FAILED)
         except (RuntimeError, OSError, FloatingPointError) as error:
             fail(" ".join(str(error).split()) or type(error).__name__, FAILED)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -78,6 +79,12 @@ def _check_output(output: Path | None, case: object, force: bool) -> Path:
     path = output or Path(f"{case_id(case)}.nc")
     if path.is_dir() or not path.name:
         raise ConfigError(f"--output {path}: is a folder (allowed: the name of a file)")
+    folder = path.parent
+    if not folder.is_dir():
+        why = "is not a folder" if folder.exists() else "does not exist"
+        raise ConfigError(f"--output {path}: {folder} {why} (allowed: a file in an existing folder)")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise ConfigError(f"--output {path}: {folder} cannot be written to (allowed: a file in a writable folder)")
     if path.exists() and not force and _held(path) != case_id(case):
         raise ConfigError(
             f"--output {path}: exists and does not hold this case; another name, or --force to replace it"

@@ -111,9 +111,9 @@ def _cases(file: Path) -> tuple[list[dict[str, Any]], Study]:
 
     path = _path(file)
     study = load_study(path)
-    labels = study.labels(str(path))
+    sweeps, labels = study.expand(str(path))
     rows: dict[str, dict[str, Any]] = {}
-    for sweep, cases in study.cases(str(path)).items():
+    for sweep, cases in sweeps.items():
         for key, case in cases.items():
             row = rows.setdefault(
                 key, {"case_id": key, "label": labels[key], "sweeps": [], "case": case.model_dump(mode="json")}

@@ -36,6 +36,20 @@ def hint(name: str, known: Iterable[str]) -> str:
     return f"allowed: {', '.join(known)}"
 
 
+_PLAIN = {"list_type": "must be a list of values", "dict_type": "must map names to values"}
+"""Pydantic's type of a fault to words for people."""
+
+
+def _allowed(block: str, base: type[Block] = Block) -> str:
+    """Fields of the block of this name, in brackets."""
+    for model in base.__subclasses__():
+        if model.__name__ == block:
+            return f" (allowed: {', '.join(model.model_fields)})"
+        if found := _allowed(block, model):
+            return found
+    return ""
+
+
 def describe(error: ValidationError, source: str, known: Iterable[str] = ()) -> ConfigError:
     """Turn pydantic's report into one line a fault: source, field, value, what is wrong, what is allowed.
 
@@ -56,6 +70,9 @@ def describe(error: ValidationError, source: str, known: Iterable[str] = ()) -> 
         message = report["msg"]
         if report["type"] == "extra_forbidden":
             message = "no such field" + (f"; {hint(field, known)}" if known else "")
+        elif report["type"] == "model_type":
+            message = f"must hold the fields of {report['ctx']['class_name']}{_allowed(report['ctx']['class_name'])}"
+        message = _PLAIN.get(report["type"], message)
         bare = isinstance(value, (dict, Block)) or report["type"] == "missing"
         shown = field + ("" if bare else f" = {value!r}")
         lines.append(": ".join(part for part in (source, shown, message) if part))

@@ -127,7 +127,8 @@ class Number:
 
     def validate(self, value: Any) -> float | int:
         """Return the value as `float` or `int`; raise `PydanticCustomError` naming the allowed range."""
-        allowed = f"allowed: {self.low:g} to {self.high:g}"
+        form = "d" if self.integer else "g"
+        allowed = f"allowed: {self.low:{form}} to {self.high:{form}}"
         kind, name = ((int,), "a whole number") if self.integer else ((int, float), "a number without unit")
         if not isinstance(value, kind) or isinstance(value, bool):
             raise PydanticCustomError("number", "must be {name} ({allowed})", {"name": name, "allowed": allowed})

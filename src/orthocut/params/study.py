@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -15,6 +16,8 @@ from orthocut.params.quantity import Number
 from orthocut.params.text import read_yaml
 
 Values = dict[str, list[Any]]
+MAX_CASES = 100_000
+"""Most cases of a study, all sweeps together; more is a slip of the pen."""
 
 
 class Axes(Block):
@@ -37,6 +40,11 @@ class Axes(Block):
                 raise fault(f"axis {name} has no values (allowed: one or more)")
         return self
 
+    def count(self) -> int:
+        """Count the points without making them."""
+        zipped = len(next(iter(self.zip.values()), [None]))
+        return math.prod(map(len, self.product.values())) * zipped * (len(self.list) or 1)
+
     def points(self) -> list[dict[str, Any]]:
         """Sets of fields and values, in the order written, the last axis fastest."""
         products = [
@@ -46,14 +54,18 @@ class Axes(Block):
         return [{**a, **b, **c} for a in products for b in zipped for c in (self.list or [{}])]
 
     def check_names(self, kind: str, source: str) -> None:
-        """Raise `ConfigError` if an axis is no field of the kind, or if two parts vary the same field."""
-        seen: dict[tuple[str, ...], str] = {}
-        explicit = dict.fromkeys(name for point in self.list for name in point)
-        for part, names in (("product", self.product), ("zip", self.zip), ("list", explicit)):
-            for name in names:
+        """Raise `ConfigError` if an axis is no field of the kind, or if two vary the same field or a part of it."""
+        always = [("product", name) for name in self.product] + [("zip", name) for name in self.zip]
+        for point in self.list or [{}]:
+            seen: dict[tuple[str, ...], str] = {}
+            for part, name in [*always, *(("list", name) for name in point)]:
                 path = resolve(kind, name, f"{source}.axes.{part}")
-                if path in seen:
-                    raise ConfigError(f"{source}.axes.{part}: {name} is already varied by {seen[path]}")
+                if path == ("kind",):
+                    raise ConfigError(f"{source}.axes.{part}: kind cannot vary (allowed: one kind a sweep)")
+                for other, by in seen.items():
+                    if all(a == b for a, b in zip(path, other, strict=False)):
+                        field = ".".join(other)
+                        raise ConfigError(f"{source}.axes.{part}: {name} is already varied by {by} (as {field})")
                 seen[path] = part
 
 
@@ -110,22 +122,49 @@ class Study(Block):
             for name in names:
                 if name not in self.sweeps:
                     raise fault(f"figures.{figure} = {name!r}: no such sweep; {hint(name, self.sweeps)}")
+        if not self.sweeps and not self.figures:
+            raise fault("sweeps and figures are both empty (allowed: one or more of either)")
         return self
 
-    def cases(self, source: str = "study") -> dict[str, dict[str, Case]]:
-        """Sweep name to case id to case; the same case in two sweeps has the same id."""
-        return {
-            name: {case_id(case): case for _, case in sweep.expand(f"{source}: sweeps.{name}")}
-            for name, sweep in self.sweeps.items()
-        }
+    @model_validator(mode="after")
+    def _bounded(self) -> Study:
+        total = 0
+        for name, sweep in self.sweeps.items():
+            count = sweep.axes.count() * sweep.replicates
+            total += count
+            if total > MAX_CASES:
+                raise fault(
+                    f"sweeps.{name}: has {count} cases, {total} with the sweeps before it (allowed: up to {MAX_CASES})"
+                )
+        return self
 
-    def labels(self, source: str = "study") -> dict[str, str]:
-        """Case id to words for people: the first sweep that holds the case and the values varied there."""
+    def expand(self, source: str = "study") -> tuple[dict[str, dict[str, Case]], dict[str, str]]:
+        """Expand all sweeps, once.
+
+        Returns
+        -------
+        cases : dict
+            Sweep name to case id to case; the same case in two sweeps has the same id.
+        labels : dict
+            Case id to words for people: the first sweep that holds the case and the values varied there.
+        """
+        cases: dict[str, dict[str, Case]] = {}
         labels: dict[str, str] = {}
         for name, sweep in self.sweeps.items():
+            cases[name] = {}
             for label, case in sweep.expand(f"{source}: sweeps.{name}"):
-                labels.setdefault(case_id(case), f"{name}: {label}" if label else name)
-        return labels
+                key = case_id(case)
+                cases[name][key] = case
+                labels.setdefault(key, f"{name}: {label}" if label else name)
+        return cases, labels
+
+    def cases(self, source: str = "study") -> dict[str, dict[str, Case]]:
+        """Sweep name to case id to case."""
+        return self.expand(source)[0]
+
+    def labels(self, source: str = "study") -> dict[str, str]:
+        """Case id to words for people."""
+        return self.expand(source)[1]
 
 
 def load_study(path: Path) -> Study:

@@ -77,6 +77,11 @@ def test_whole_numbers_are_whole():
         mpm(numerics={"points_per_depth": 8.0})
 
 
+def test_limits_of_whole_numbers_are_exact():
+    with pytest.raises(ConfigError, match=r"packing.seed = -1: is out of range \(allowed: 0 to 2147483647\)"):
+        validate({"kind": "dem", "packing": {"seed": -1}})
+
+
 def test_ends_of_the_range_are_allowed():
     assert mpm(cut_depth="20 mm").cut_depth == 0.02
     assert Number(0.0, 1.5).validate(1.5) == 1.5

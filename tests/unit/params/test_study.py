@@ -79,11 +79,64 @@ def test_same_case_in_two_sweeps_is_one_run():
             },
             r"axes.zip: tool.rake_angle is already varied by product",
         ),
+        (
+            {
+                "base": {"kind": "mpm"},
+                "axes": {"product": {"tool": [{"rake_angle": "30 deg"}], "rake_angle": ["1 deg", "2 deg"]}},
+            },
+            r"axes.product: rake_angle is already varied by product \(as tool\)",
+        ),
+        (
+            {
+                "base": {"kind": "mpm"},
+                "axes": {"zip": {"tool.rake_angle": ["1 deg"]}, "list": [{"tool": {"friction": 0.1}}]},
+            },
+            r"axes.list: tool is already varied by zip \(as tool.rake_angle\)",
+        ),
+        (
+            {"base": {"kind": "mpm"}, "axes": {"list": [{"kind": "dem"}]}},
+            r"sweeps.a.axes.list: kind cannot vary \(allowed: one kind a sweep",
+        ),
     ],
 )
 def test_faults_when_expanded(sweep, words):
     with pytest.raises(ConfigError, match=words):
         members(**sweep)
+
+
+def test_sets_of_a_list_may_vary_a_block_or_a_part_of_it():
+    cases = members(base={"kind": "dem"}, axes={"list": [{"grooves": {"width": "40 um"}}, {"grooves.width": "50 um"}]})
+    assert [round(c.grooves.width, 9) for c in cases] == [40e-6, 50e-6]
+
+
+def test_cases_are_counted_without_making_them():
+    axes = {
+        "product": {"cut_depth": ["1 mm", "2 mm"], "rake_angle": ["15 deg", "30 deg", "45 deg"]},
+        "zip": {"cut_speed": ["5 m/s", "2 m/s"], "points_per_depth": [5, 8]},
+        "list": [{"friction": 0.0}, {"friction": 0.1}, {"friction": 0.2}],
+    }
+    two = study(a={"base": {"kind": "mpm"}, "axes": axes}, b={"base": {"kind": "mpm"}})
+    assert [sweep.axes.count() for sweep in two.sweeps.values()] == [36, 1]
+    assert [len(cases) for cases in two.cases().values()] == [36, 1]
+
+
+def test_a_study_is_bounded_before_it_is_expanded(tmp_path, monkeypatch):
+    monkeypatch.setattr("orthocut.params.study.Axes.points", None)
+    hundred = [f"{k} um" for k in range(100, 200)]
+    path = tmp_path / "study.yaml"
+
+    def write(axes, replicates):
+        sweep = f"{{base: {{kind: dem}}, axes: {{product: {axes}}}, replicates: {replicates}}}"
+        path.write_text(f"title: t\nsweeps:\n  small: {{base: {{kind: mpm}}}}\n  huge: {sweep}\nfigures: {{}}\n")
+
+    write({"cut_depth": hundred}, 999)
+    assert load_study(path).sweeps["huge"].axes.count() == 100
+    write({"cut_depth": hundred}, 1000)
+    with pytest.raises(ConfigError, match=r"sweeps.huge: has 100000 cases, 100001 with .*allowed: up to 100000"):
+        load_study(path)
+    write({f"axis_{k}": hundred for k in range(12)}, 1)
+    with pytest.raises(ConfigError, match=r"sweeps.huge: has 1000000000000000000000000 cases"):
+        load_study(path)
 
 
 @pytest.mark.parametrize(
@@ -105,6 +158,13 @@ def test_faults_when_expanded(sweep, words):
             "sweeps.a.replicates = 0: is out of range",
         ),
         ("3\n", "must hold title, sweeps and figures"),
+        ("title: t\nsweeps: {}\nfigures: {}\n", "sweeps and figures are both empty"),
+        ("title: t\nsweeps: 3\nfigures: {}\n", "sweeps = 3: must map names to values"),
+        (
+            "title: t\nsweeps: {a: 3}\nfigures: {}\n",
+            "sweeps.a = 3: must hold the fields of Sweep (allowed: base, axes, replicates)",
+        ),
+        ("title: t\nsweeps: {a: {base: {kind: mpm}}}\nfigures: {f: a}\n", "f = 'a': must be a list of values"),
     ],
 )
 def test_faults_when_read(tmp_path, content, words):
