@@ -232,9 +232,8 @@ def test_theory_without_a_solution_says_why():
 
 def test_a_reader_that_stops_early_is_no_error():
     verb = f"{shlex.quote(sys.executable)} -c 'from orthocut.cli import app; app()' study expand quick"
-    done = subprocess.run(["bash", "-c", f"{verb} | head -n 1"], capture_output=True, text=True, cwd=ROOT, check=False)
-    assert done.stderr == ""
-    assert len(done.stdout.splitlines()) == 1
+    done = subprocess.run(["bash", "-c", f"{verb} | true"], capture_output=True, text=True, cwd=ROOT, check=False)
+    assert done.stderr == ""  # true has gone long before the first line; head might let all of them through
 
 
 STUDY = """\
