@@ -46,7 +46,7 @@ def sources(kind: str) -> Iterator[Path]:
     for file in _files(_NUMBERS):
         path = file.relative_to(_PACKAGE)
         words = {part.removesuffix(".py").split("_")[0] for part in path.parts}
-        if not words & {*others, "speed"} and not (path.parts[0] == "params" and path.stem in _INPUT_ONLY):
+        if not words & {*others, "speed"}:
             yield file
 
 
@@ -70,9 +70,11 @@ def digest_pictures() -> str:
 
 
 def _files(parts: tuple[str, ...]) -> Iterator[Path]:
+    """Files below some parts of the package, sorted, without those that only turn what a user writes into a case."""
     for part in parts:
         path = _PACKAGE / part
-        yield from sorted(file for file in path.rglob("*") if file.suffix in {".py", ".mplstyle"}) or [path]
+        found = sorted(file for file in path.rglob("*") if file.suffix in {".py", ".mplstyle"}) or [path]
+        yield from (file for file in found if part != "params" or file.stem not in _INPUT_ONLY)
 
 
 def _digest(files: Iterator[Path], libraries: str) -> str:
