@@ -169,6 +169,7 @@ def dem_test_run(kind="dem_tension", cracks=40, wall_time=5.0, **values):
     data = {
         "time": (HISTORY, strain * case.packing.height / (2 * case.grip_speed)),
         "strain_axial": (HISTORY, sign * strain),
+        "strain_gauge": (HISTORY, 0.9 * sign * strain),
         "strain_lateral": (HISTORY, -0.23 * sign * strain),
         "stress_axial": (HISTORY, sign * stress),
         "stress_grip": (HISTORY, sign * stress * 1.01),

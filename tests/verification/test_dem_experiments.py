@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from orthocut.dem.packing import pack
-from orthocut.experiments import dem_compression, dem_cutting, dem_tension
+from orthocut.experiments import dem_compression, dem_cutting, dem_specimen, dem_tension
 from orthocut.io.netcdf import read, write
 from orthocut.measure.guard import Diverged
 from orthocut.params.case import load
@@ -65,6 +65,7 @@ def test_tests_end_after_a_clear_peak_and_pad_the_history(tension, compression):
         assert len(stress) < 200
         assert stress[-1] < 0.7 * float(run.strength_ultimate)
         assert float(run.strength_ultimate) >= stress.max() > 0
+        assert "time" in run.coords
         assert sign * run.strain_axial.values[len(stress) - 1] > 0
 
 
@@ -183,3 +184,27 @@ def test_fresh_compilation_and_cached_code_give_identical_bits(tmp_path):
 def test_too_long_a_time_step_stops_with_a_diagnosis():
     with pytest.raises(Diverged, match=r"step \d+, time .*time_step_factor"):
         simulate("dem_tension", **SPECIMEN, time_step_factor=1.0)
+
+
+@pytest.mark.parametrize("travel", [20, 21, 22, 23])
+def test_a_cut_that_diverges_between_two_checks_stops_with_a_diagnosis(travel):
+    small = {"packing.width": "0.3 mm", "packing.height": "0.3 mm", "cut_depth": "0.05 mm"}
+    with pytest.raises(Diverged, match=r"step \d+, time .*faster than .*time_step_factor"):
+        simulate("dem_cutting", **small, travel=f"{travel} um", time_step_factor=1.0)
+
+
+def test_strength_and_its_strain_are_those_of_one_sample_though_the_history_is_thinned(monkeypatch):
+    seen = []
+
+    class Recorded(dem_specimen.Sample):
+        def __new__(cls, *values):
+            seen.append(super().__new__(cls, *values))
+            return seen[-1]
+
+    monkeypatch.setattr(dem_specimen, "Sample", Recorded)
+    monkeypatch.setattr(dem_specimen, "SAMPLES", 10)
+    run = simulate("dem_compression", **SPECIMEN, strain_max=0.008, drop_fraction=0.05)
+    largest = min(seen, key=lambda sample: sample.stress_axial)
+    assert largest.stress_axial not in run.stress_axial.values
+    assert float(run.strength_ultimate) == -largest.stress_axial
+    assert float(run.strain_peak) == largest.strain_gauge

@@ -120,6 +120,8 @@ def _settle(x, y, radius, width, height, calm=0, overlap=np.inf, ratio=EQUILIBRI
         )
         if steps >= 0:
             break
+        if not np.isfinite(place).all():
+            raise PackingError(f"packing of {n} discs diverged: the position of a disc is not a number")
         room *= 2
     if steps == _STEPS:
         raise PackingError(

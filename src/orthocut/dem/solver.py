@@ -63,6 +63,12 @@ def step_once(scene):
     return DONE
 
 
+@part
+def too_fast(scene):
+    """Whether a disc is above the speed limit or its velocity is not a number."""
+    return not fastest(scene.velocity) < scene.speed_limit
+
+
 @jit
 def advance(scene, steps):
     """Do `steps` steps.
@@ -70,15 +76,15 @@ def advance(scene, steps):
     Returns
     -------
     int
-        `DONE`, or why the run stopped early.
+        `DONE`, or why the run stopped early; `TOO_FAST` also if the speeds are too high after the last step.
     """
     for _ in range(steps):
         if scene.clock[0] % CHECK == 0:
-            if not fastest(scene.velocity) < scene.speed_limit:
+            if too_fast(scene):
                 return TOO_FAST
             removed = remove_joints(scene.joints, scene.tally, scene.position, scene.radius, scene.law)
             if removed > 0:
                 scene.clock[1] = -1
         if step_once(scene) != DONE:
-            return CROWDED
-    return DONE
+            return TOO_FAST if too_fast(scene) else CROWDED
+    return TOO_FAST if too_fast(scene) else DONE

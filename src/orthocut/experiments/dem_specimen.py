@@ -50,7 +50,7 @@ def load_specimen(
     sign: int,
     grip_force: Callable[[Scene], float],
     progress: Progress,
-) -> tuple[list[Sample], float, np.ndarray, np.ndarray, float, Energies]:
+) -> tuple[list[Sample], Sample, np.ndarray, np.ndarray, float, Energies]:
     """Load until the stress has dropped to the stated fraction of its peak, or to the largest strain.
 
     Parameters
@@ -62,8 +62,8 @@ def load_specimen(
 
     Returns
     -------
-    samples, peak stress, places at the start, fraction of intact elements at the end, CPU seconds in the solver,
-    energies at the start
+    samples, sample of the largest stress (even if dropped from the samples), places at the start, fraction of intact
+    elements at the end, CPU seconds in the solver, energies at the start
     """
     width, height = case.packing.width, case.packing.height
     initial = scene.places.copy()
@@ -72,8 +72,9 @@ def load_specimen(
     proceed(scene, 0)
     reading = max(1, round(STRAIN_INTERVAL / rate / scene.time_step / READINGS))
     per_sample = READINGS
-    peak, advancing = 0.0, 0.0
+    advancing = 0.0
     samples: list[Sample] = []
+    peak: Sample | None = None
     start = energies(scene)
 
     strain = 0.0
@@ -90,21 +91,22 @@ def load_specimen(
         axial, lateral = strains(initial, scene.places, middle)
         grip = grip_force(scene) / (per_sample * reading) / width
         stress = float(np.mean(stresses))
-        samples.append(
-            Sample(
-                scene.time,
-                sign * strain,
-                axial,
-                lateral,
-                stress,
-                grip,
-                *count_cracks(scene),
-                energies(scene, found.energy),
-            )
+        sample = Sample(
+            scene.time,
+            sign * strain,
+            axial,
+            lateral,
+            stress,
+            grip,
+            *count_cracks(scene),
+            energies(scene, found.energy),
         )
-        peak = max(peak, sign * stress)
+        samples.append(sample)
+        if peak is None or sign * stress > sign * peak.stress_axial:
+            peak = sample
         progress(min(strain / case.strain_max, 1.0))
-        if samples[-1].cracks_tension + samples[-1].cracks_shear > 0 and sign * stress < case.drop_fraction * peak:
+        cracked = sample.cracks_tension + sample.cracks_shear > 0
+        if cracked and sign * stress < case.drop_fraction * sign * peak.stress_axial:
             break
         if len(samples) == SAMPLES:
             samples = samples[1::2]
@@ -136,8 +138,8 @@ def specimen_dataset(
     data |= {
         "modulus_young": ((), modulus),
         "ratio_poisson": ((), poisson),
-        "strength_ultimate": ((), peak),
-        "strain_peak": ((), float(column["strain_axial"][np.argmax(loading)])),
+        "strength_ultimate": ((), sign * peak.stress_axial),
+        "strain_peak": ((), peak.strain_gauge),
         "cracks_tension_total": ((), tension),
         "cracks_shear_total": ((), shear),
         "energy_closure": ((), closure(samples[-1].energies, start)),
@@ -148,6 +150,6 @@ def specimen_dataset(
         **packing_data(packed, scene),
         **crack_data(scene),
     }
-    dataset = build_dataset(case, title, data)
+    dataset = build_dataset(case, title, data, {"time": data.pop("time")})
     dataset.attrs.update(timing(time.perf_counter() - began, advancing, scene))
     return dataset

@@ -15,6 +15,7 @@ from orthocut.figures.canvas import PAGE, cases, line, name_axes, nothing, page,
 from orthocut.figures.palette import QUANTITY, SERIES, SHEAR, TENSION
 from orthocut.figures.scene import draw_cracks, draw_discs, frame, last_snapshot
 from orthocut.io.collect import case_of
+from orthocut.variables import VARIABLES
 
 
 def extent(run: xr.Dataset, snapshot: int = 0) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -78,12 +79,15 @@ def strength_test(dataset: xr.Dataset, kind: str, sense: str) -> Figure:
     kind : str
         Kind of run to draw; others are ignored.
     sense : str
-        Words for the axes; stress and strain are drawn positive along the loading.
+        Words for the axes; stress and strain are drawn positive along the loading. The strain is that of the
+        measurement region, or that of the whole specimen if not all runs hold the former.
     """
-    runs = cases(dataset, "stress_axial", "strain_axial", kind=kind)
+    runs, gauged = (cases(dataset, "stress_axial", name, kind=kind) for name in ("strain_axial", "strain_gauge"))
+    strain = "strain_gauge" if len(gauged) >= len(runs) else "strain_axial"
+    runs = gauged if strain == "strain_gauge" else runs
     figure = page(3.3, PAGE)
     picture, curves = figure.subplots(1, 2, width_ratios=[1, 1.35])
-    name_axes(curves, f"axial strain, {sense} [%]", f"axial stress, {sense} [MPa]")
+    name_axes(curves, f"{VARIABLES[strain].long_name}, {sense} [%]", f"axial stress, {sense} [MPa]")
     if not runs:
         nothing(picture)
         nothing(curves)
@@ -91,7 +95,7 @@ def strength_test(dataset: xr.Dataset, kind: str, sense: str) -> Figure:
         return figure
 
     for colour, run in zip(SERIES * 9, runs, strict=False):
-        _curve(curves, run, colour)
+        _curve(curves, run, strain, colour)
     curves.set_xlim(left=0)
     curves.set_ylim(bottom=0)
     curves.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncols=1, borderaxespad=0.2)
@@ -106,7 +110,7 @@ def _along(run: xr.Dataset, name: str) -> np.ndarray:
     return -found if turned else found
 
 
-def _curve(ax: Axes, run: xr.Dataset, colour: str) -> None:
+def _curve(ax: Axes, run: xr.Dataset, strain: str, colour: str) -> None:
     case = case_of(run)
     parts = [f"seed {case.packing.seed}"]
     for name, text in (
@@ -117,7 +121,7 @@ def _curve(ax: Axes, run: xr.Dataset, colour: str) -> None:
         value = abs(float(values(run, name)))
         if math.isfinite(value):
             parts.append(text.format(value))
-    x, y = _along(run, "strain_axial"), _along(run, "stress_axial")
+    x, y = _along(run, strain), _along(run, "stress_axial")
     ax.plot(x, y, color=colour, label=", ".join(parts))
     if np.isfinite(y).any():
         peak = int(np.nanargmax(y))

@@ -10,8 +10,8 @@ from orthocut.figures.specimen import strength_test
 
 CAPTION = (
     "Uniaxial tension of the synthetic glass specimen: cracks at the end of the test and stress-strain curves, after "
-    "Yang et al. (2018), Fig. 7. Solid: stress in the measurement regions; dotted: from the reaction of the grips; "
-    "circles: strength."
+    "Yang et al. (2018), Fig. 7. Strain in the measurement region. Solid: stress in the measurement region; "
+    "dotted: from the reaction of the grips; circles: strength."
 )
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from orthocut.dem.setup import overlapping_pairs
+from orthocut.kernels.dem.integrate import count_strays
 from orthocut.kernels.dem.neighbours import find_pairs
 from orthocut.kernels.dem.walls import wedge_distance
 
@@ -30,6 +31,32 @@ def test_pairs_agree_with_brute_force_inside_and_outside_the_grid(spread):
     found = set(zip(owner.tolist(), second[:count].tolist(), strict=True))
     assert found == brute_force(x, y, radius, skin)
     assert find_pairs(start, second[:5], *scratch, position, radius, skin, grid) == -1
+
+
+@pytest.mark.parametrize(("lost", "expected"), [(np.nan, -1), (np.inf, 0), (-np.inf, 0), (1e300, 0), (-1e300, 0)])
+@pytest.mark.parametrize("axis", [0, 1])
+def test_search_with_a_lost_disc_stays_inside_its_arrays(lost, expected, axis):
+    n, cells = 4, 3
+    position = np.array([[1.0, 1.0, 0, 0], [4.0, 1.0, 0, 0], [1.0, 4.0, 0, 0], [4.0, 4.0, 0, 0]])
+    position[1, axis] = lost
+    memory = np.full(3 * 40, 99, dtype=np.int64)
+    start, second, cell_start = (memory[40 * k + 10 :][:size] for k, size in enumerate((n + 1, 8, cells * cells + 1)))
+    scratch = np.zeros((2, n), dtype=np.int64)
+    grid = (0.0, 0.0, 2.0, cells, cells)
+    found = find_pairs(start, second, cell_start, *scratch, position.ravel(), np.full(n, 0.5), 0.3, grid)
+    assert found == expected
+    outside = np.ones(memory.size, dtype=bool)
+    for k, size in enumerate((n + 1, 8, cells * cells + 1)):
+        outside[40 * k + 10 : 40 * k + 10 + size] = False
+    assert (memory[outside] == 99).all()
+
+
+def test_a_disc_whose_place_is_not_a_number_has_strayed():
+    position = np.zeros(12)
+    assert count_strays(position, np.zeros(12), 1.0) == 0
+    position[4] = np.nan
+    position[9] = 2.0
+    assert count_strays(position, np.zeros(12), 1.0) == 2
 
 
 def test_touching_pairs_agree_with_brute_force():

@@ -13,11 +13,19 @@ BIG = {"packing.radius_min": "40 um"}
 @pytest.mark.parametrize(("kind", "figure"), [("dem_tension", "yang2018_fig07"), ("dem_compression", "yang2018_fig08")])
 def test_curves_are_positive_along_the_loading(kind, figure, turned):
     run = dem_test_run(kind, **BIG)
-    for name in ("stress_axial", "strain_axial", "stress_grip"):
+    for name in ("stress_axial", "strain_gauge", "stress_grip"):
         run[name] = turned * run[name]
     curve = registry.draw(figure, collect([run])).axes[1].lines[0]
     np.testing.assert_allclose(curve.get_ydata(), np.abs(run["stress_axial"]) * 1e-6)
-    np.testing.assert_allclose(curve.get_xdata(), np.abs(run["strain_axial"]) * 100)
+    np.testing.assert_allclose(curve.get_xdata(), np.abs(run["strain_gauge"]) * 100)
+
+
+def test_runs_without_strain_of_the_region_show_that_of_the_specimen():
+    run = dem_test_run("dem_tension", **BIG)
+    for runs, name in (([run], "strain_gauge"), ([run.drop_vars("strain_gauge")], "strain_axial")):
+        axes = registry.draw("yang2018_fig07", collect(runs)).axes[1]
+        np.testing.assert_allclose(axes.lines[0].get_xdata(), np.abs(run[name]) * 100)
+        assert ("measurement region" in axes.get_xlabel()) == (name == "strain_gauge")
 
 
 def test_runs_of_the_other_test_are_not_drawn():

@@ -16,7 +16,7 @@ def renew_contacts(contacts, joints, position, radius, skin, grid):
     Returns
     -------
     int
-        Number of contacts, or -1 if the list is too short.
+        Number of contacts, or -1 if the list is too short or a position is not a number.
     """
     contacts.old_start[:] = contacts.start
     contacts.old_second[:] = contacts.second

@@ -66,11 +66,11 @@ def fastest(velocity):
 
 @part
 def count_strays(position, reference, distance):
-    """Count the discs farther than `distance` from their places at the last search for neighbours."""
+    """Count the discs not within `distance` of their places at the last search; a place that is not a number is not."""
     limit = distance * distance
     count = 0
     for m in range(position.size // ROW):
         dx = position[m * ROW] - reference[m * ROW]
         dy = position[m * ROW + 1] - reference[m * ROW + 1]
-        count += dx * dx + dy * dy > limit
+        count += not dx * dx + dy * dy <= limit
     return count

@@ -16,13 +16,20 @@ def sort_into_cells(cell_start, cell_disc, cell_of, position, grid):
     position : float array, shape (4 n_discs,)
     grid : tuple
         Corner (x, y) [m], cell size [m], number of columns and of rows.
+
+    Returns
+    -------
+    bool
+        False, with the cells left unfinished, if a position is not a number.
     """
     left, bottom, size, columns, rows = grid
     cell_start[:] = 0
     for m in range(cell_of.size):
-        column = min(max((position[m * ROW] - left) / size, 0.0), columns - 1.0)
-        row = min(max((position[m * ROW + 1] - bottom) / size, 0.0), rows - 1.0)
-        cell_of[m] = int(row) * columns + int(column)
+        column = (position[m * ROW] - left) / size
+        row = (position[m * ROW + 1] - bottom) / size
+        if column != column or row != row:
+            return False
+        cell_of[m] = int(min(max(row, 0.0), rows - 1.0)) * columns + int(min(max(column, 0.0), columns - 1.0))
         cell_start[cell_of[m] + 1] += 1
     for c in range(columns * rows):
         cell_start[c + 1] += cell_start[c]
@@ -32,6 +39,7 @@ def sort_into_cells(cell_start, cell_disc, cell_of, position, grid):
     for c in range(columns * rows, 0, -1):
         cell_start[c] = cell_start[c - 1]
     cell_start[0] = 0
+    return True
 
 
 @part
@@ -43,9 +51,10 @@ def find_pairs(pair_start, pair_second, cell_start, cell_disc, cell_of, position
     Returns
     -------
     int
-        Number of pairs, or -1 if `pair_second` is too short.
+        Number of pairs, or -1 if `pair_second` is too short or a position is not a number.
     """
-    sort_into_cells(cell_start, cell_disc, cell_of, position, grid)
+    if not sort_into_cells(cell_start, cell_disc, cell_of, position, grid):
+        return -1
     _, _, _, columns, rows = grid
     count = 0
     for i in range(radius.size):

@@ -92,7 +92,7 @@ def settle(position, velocity, radius, width, height, lists, grid, skin, steps, 
     Returns
     -------
     steps_done : int
-        -1 if there is no room for all pairs.
+        -1 if there is no room for all pairs or a position is not a number.
     sums : float array, shape (6,)
         As in `add_pushes`.
     """
