@@ -37,8 +37,7 @@ def draw(dataset: xr.Dataset) -> Figure:
         _forces(curves, runs)
         depth, grooved = key
         curves.set_title(
-            f"$h$ = {depth * 1e3:.3g} mm, {'grooved' if grooved else 'regular'}, "
-            f"{len(runs)} replicate{'s' if len(runs) > 1 else ''}",
+            f"$h$ = {depth * 1e3:.3g} mm, {'grooved' if grooved else 'regular'}",
             loc="left",
         )
     if not rows:
@@ -69,7 +68,7 @@ def _forces(ax, runs: list[xr.Dataset]) -> None:
         for name in ("force_cutting", "force_thrust"):
             ax.plot(values(run, "tool_travel"), values(run, name), color=QUANTITY[name], lw=0.5, alpha=0.3)
     if len(runs) > 1:
-        ax.plot([], [], color="0.75", lw=0.8, label="others")
+        ax.plot([], [], color="0.75", lw=0.8, label="other packings")
     draw_forces(ax, runs[0], lw=0.8)
     for name in ("force_cutting", "force_thrust"):
         means = [float(values(run, f"{name}_mean")) for run in runs]
