@@ -144,8 +144,15 @@ def test_rigid_rotation_is_free_of_stress():
     assert max(np.abs(bxx - 1).max(), np.abs(byy - 1).max(), np.abs(bxy).max()) < 1e-6
 
 
-def test_points_beyond_the_grid_do_not_write_outside():
+@pytest.mark.parametrize("place", [1e9, -1e9, np.inf, -np.inf, np.nan, 5.0])
+@pytest.mark.parametrize("field", [layout.X, layout.Y])
+def test_points_beyond_the_grid_do_not_write_outside(field, place):
     body = Body()
-    body.points.reshape(-1, layout.POINT_FIELDS, layout.LANES)[0, layout.X, :4] = [1e9, -1e9, np.nan, 5.0]
+    body.points.reshape(-1, layout.POINT_FIELDS, layout.LANES)[0, field, 0] = place
+    guard = 5 * FRAME.count_x * layout.NODE
+    guarded = np.full(body.after.size + 2 * guard, 7.0)
+    body.after = guarded[guard:-guard]
+    body.after[:] = 0.0
     body.advance(0.0)
-    assert np.isfinite(body.node_sums()[layout.NM]) or np.isnan(body.node_sums()[layout.NM])
+    assert (guarded[:guard] == 7.0).all()
+    assert (guarded[-guard:] == 7.0).all()
