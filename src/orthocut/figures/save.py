@@ -50,15 +50,3 @@ def save(figure: Figure, target: str | Path) -> list[Path]:
             part.unlink(missing_ok=True)
     return paths
 
-
-def write_text(text: str, path: str | Path) -> Path:
-    """Write a text file under a temporary name, then rename it."""
-    path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        part.write_text(text, encoding="utf-8")
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
-    return path

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from orthocut.figures.save import write_text
+from orthocut.io.files import write_text
 
 
 @dataclass(frozen=True)

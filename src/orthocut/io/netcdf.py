@@ -2,30 +2,28 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import numpy as np
 import xarray as xr
 
+from orthocut.io.files import replacing
+
 
 def write(dataset: xr.Dataset, path: str | Path) -> None:
-    """Write a dataset under a temporary name in the same folder, flush it to disk, then rename it."""
-    path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
+    """Write a dataset, compressed; the file appears when it is complete and on disk."""
+    with replacing(path) as temporary:
+        fill(dataset, temporary)
+
+
+def fill(dataset: xr.Dataset, path: Path) -> None:
+    """Write a dataset to a file that nobody reads yet."""
     encoding = {
         name: {"zlib": True, "complevel": 4}
         for name, variable in dataset.variables.items()
         if variable.ndim and np.issubdtype(variable.dtype, np.number)
     }
-    try:
-        dataset.to_netcdf(temporary, engine="netcdf4", encoding=encoding)
-        with open(temporary, "rb+") as file:
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    dataset.to_netcdf(path, engine="netcdf4", encoding=encoding)
 
 
 def read(path: str | Path) -> xr.Dataset:

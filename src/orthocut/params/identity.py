@@ -27,8 +27,13 @@ def canonical(case: Block) -> str:
 
 def case_id(case: Block) -> str:
     """Name of a case: kind and a hash of every value that can change its numbers."""
-    digest = hashlib.sha256(canonical(case).encode()).hexdigest()[:10]
+    digest = hashlib.sha256(canonical(case).encode()).hexdigest()[:12]
     return f"{case.kind.replace('_', '-')}-{digest}"
+
+
+def result_key(case: Block) -> str:
+    """Name of the result of a case: its id, and a hash of the sources and libraries that can change its numbers."""
+    return f"{case_id(case)}-{digest_numbers(case.kind)[:8]}"
 
 
 def sources(kind: str) -> Iterator[Path]:
