@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from orthocut.figures.registry import FIGURES, WITHOUT_RUNS, module
+from orthocut.figures.registry import FIGURES, WITHOUT_RUNS, dims, module
 from orthocut.params.block import ConfigError, hint
 from orthocut.params.case import KINDS, Case
-from orthocut.params.study import load_study
-from orthocut.run import estimate_seconds
+from orthocut.params.study import Study, load_study
 
 METHODS = {"nairn2015": "mpm_", "yang2018": "dem_"}
 """Paper of a figure to the start of the kinds of cases that it draws; any other figure draws all kinds."""
@@ -27,19 +26,13 @@ class Plan:
     """Case id to words for people."""
     figures: dict[str, list[str]]
     """Figure to the ids of its cases."""
+    snapshots: dict[str, int]
+    """Case id to the number of snapshots that its figures want; 0 if none draws any."""
 
     @property
     def tables(self) -> list[str]:
         """Figures that come with a table."""
         return [figure for figure in self.figures if hasattr(module(figure), "tabulate")]
-
-    def seconds(self, case_id: str) -> float:
-        """Rough run time of a case [s]."""
-        return estimate_seconds(self.cases[case_id])
-
-    def announcement(self) -> dict[str, tuple[str, float]]:
-        """Case id to label and rough run time."""
-        return {case_id: (self.labels[case_id], self.seconds(case_id)) for case_id in self.cases}
 
 
 def load_plan(path: Path) -> Plan:
@@ -66,12 +59,31 @@ def load_plan(path: Path) -> Plan:
                 raise ConfigError(
                     f"{path}: figures.{figure} = {names}: {name} is a sweep of {kind} (allowed: sweeps of {allowed})"
                 )
+    cases = {case_id: case for members in sweeps.values() for case_id, case in members.items()}
     return Plan(
         title=study.title,
-        cases={case_id: case for cases in sweeps.values() for case_id, case in cases.items()},
+        cases=cases,
         labels=labels,
         figures={
             figure: list(dict.fromkeys(case_id for name in names for case_id in sweeps[name]))
             for figure, names in study.figures.items()
         },
+        snapshots=dict.fromkeys(cases, 0) | _snapshots(study, sweeps),
     )
+
+
+def draws_fields(figure: str) -> bool:
+    """Whether a figure draws snapshots, beside single numbers and histories."""
+    wanted = dims(figure)
+    return wanted is None or bool(set(wanted) - {"sample"})
+
+
+def _snapshots(study: Study, sweeps: dict[str, dict[str, Case]]) -> dict[str, int]:
+    """Largest number of snapshots that a figure wants of each case; cases of which none does are left out."""
+    counts: dict[str, int] = {}
+    for figure, names in study.figures.items():
+        if names and draws_fields(figure):
+            for name in names:
+                for case_id in sweeps[name]:
+                    counts[case_id] = max(counts.get(case_id, 0), study.sweeps[name].snapshots)
+    return counts

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import math
 import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -29,12 +28,6 @@ SMALLEST = {
     "dem_compression": {"packing.width": "0.15 mm", "packing.height": "0.3 mm", "strain_max": 1e-5},
 }
 """What to set to make a case of each kind take a moment and still pass through the whole solver."""
-
-_SECONDS_PER_POINT_STEP = 60e-9
-_SECONDS_PER_DISC_STEP = {"dem_tension": 40e-9, "dem_compression": 40e-9, "dem_cutting": 80e-9}
-_STRAIN_AT_END = {"dem_tension": 1.2e-3, "dem_compression": 4.5e-3}
-_SECONDS_START = 3.0
-_SOLID_FRACTION = 0.9
 
 
 def run_case(case: Case, progress: Progress | None = None) -> xarray.Dataset:
@@ -76,21 +69,3 @@ def warm(method: str) -> float:
         if kind.startswith(f"{method}_"):
             run_case(load(kind, values))
     return time.perf_counter() - start
-
-
-def estimate_seconds(case: Case) -> float:
-    """Rough run time of a case on one core [s], for schedules and for the time left; never for results."""
-    if case.kind == "mpm_cutting":
-        work = case.workpiece
-        points = work.length_ratio * (1 + work.base_ratio) * case.numerics.points_per_depth**2
-        return _SECONDS_START + points * case.steps * _SECONDS_PER_POINT_STEP
-
-    packing, joint = case.packing, case.joint
-    mean_square = packing.radius_min**2 * (1 + packing.radius_ratio + packing.radius_ratio**2) / 3
-    discs = _SOLID_FRACTION * packing.width * packing.height / (math.pi * mean_square)
-    step = joint.time_step_factor * packing.radius_min * (math.pi * joint.density / joint.modulus) ** 0.5
-    if case.kind == "dem_cutting":
-        duration = case.travel / case.cut_speed
-    else:
-        duration = min(case.strain_max, _STRAIN_AT_END[case.kind]) * packing.height / (2 * case.grip_speed)
-    return _SECONDS_START + discs * duration / step * _SECONDS_PER_DISC_STEP[case.kind]

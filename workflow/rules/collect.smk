@@ -1,9 +1,9 @@
-"""Join the runs of each figure into one dataset."""
+"""Join the results of each figure into one dataset."""
 
 
 rule collect:
     input:
-        runs=lambda wildcards: runs_of(wildcards.figure),
+        lambda wildcards: missing_of(PLAN.figures[wildcards.figure]),
     output:
         dataset=f"{RESULTS}/datasets/{{figure}}.nc",
     log:
@@ -11,7 +11,10 @@ rule collect:
     conda:
         "../envs/orthocut.yaml"
     params:
+        members=lambda wildcards: members_of(PLAN.figures[wildcards.figure]),
         sources=digest_datasets(),
         dims=lambda wildcards: dims(wildcards.figure),
+        fields=lambda wildcards: draws_fields(wildcards.figure),
+        store=STORE,
     script:
         "../scripts/collect.py"

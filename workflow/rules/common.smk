@@ -1,41 +1,70 @@
-"""What the study asks for: cases, figures, digests. Stops before the DAG when the study is faulty."""
+"""What the study asks for and what the store lacks. Stops before the DAG when the study is faulty."""
 
+import os
 from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
 from snakemake.logging import logger
 
 from orthocut.figures.registry import caption, dims
+from orthocut.io.store import Store
 from orthocut.params.block import ConfigError
-from orthocut.params.identity import canonical, digest_datasets, digest_numbers, digest_pictures
-from orthocut.plan import load_plan
+from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures, result_key
+from orthocut.plan import draws_fields, load_plan
+from orthocut.survey import read_batch, survey
 
 STUDY = Path(workflow.basedir, "workflow/config", f"{config.get('study', 'quick')}.yaml")
 RESULTS = config.get("results", "results")
+STORE = config.get("store", f"{RESULTS}/store")
+CORES = int(config.get("batch_cores", os.cpu_count()))
 try:
     PLAN = load_plan(Path(config.get("study_file", STUDY)))
 except ConfigError as error:
     raise WorkflowError(str(error)) from None
 
-logger.info("", extra={"cases": PLAN.announcement()})
+ATTEMPTS = Store(STORE).attempts()
+BATCHES, BATCH_OF = {}, {}
+if workflow.is_main_process:
+    SURVEY = survey(PLAN, Store(STORE))
+    BATCHES = {batch.name: batch for batch in SURVEY.batches(CORES, float(config.get("batch_minutes", 10)))}
+    BATCH_OF = {job.case_id: batch.name for batch in BATCHES.values() for job in batch.jobs}
+    logger.info("", extra={"cases": SURVEY.announcement(), "progress": f"{RESULTS}/progress"})
+
+
+onstart:
+    for batch in BATCHES.values():
+        batch.write(Path(RESULTS, "batches"))
 
 
 wildcard_constraints:
     method="mpm|dem",
-    case_id="|".join(PLAN.cases) or "none",
+    batch="(case|batch)-[a-z0-9-]+",
     figure="|".join(PLAN.figures) or "none",
 
 
-def method_of(case_id):
-    """Return mpm or dem."""
-    return PLAN.cases[case_id].kind.split("_")[0]
+def batch_of(wildcards):
+    """Batch of a job; a job on another machine reads it from the file that the main process wrote."""
+    return BATCHES.get(wildcards.batch) or read_batch(Path(RESULTS, "batches", f"{wildcards.batch}.json"))
 
 
-def runs_of(figure):
-    """Files of the runs that a figure draws."""
-    return [f"{RESULTS}/runs/{case}.nc" for case in PLAN.figures[figure]]
+def missing_of(cases):
+    """Marks of the batches that simulate what is missing of some cases; none when all are done."""
+    return [f"{RESULTS}/batches/{name}.done" for name in dict.fromkeys(BATCH_OF[c] for c in cases if c in BATCH_OF)]
+
+
+def members_of(cases):
+    """Names of results; one that failed before and is tried again carries the number of attempts."""
+    keys = [result_key(PLAN.cases[case]) for case in cases]
+    return [f"{key}#{ATTEMPTS[key]}" if key in ATTEMPTS else key for key in keys]
 
 
 def dataset_of(figure):
     """File that a figure draws; none for a figure of theory alone."""
     return [f"{RESULTS}/datasets/{figure}.nc"] if PLAN.figures[figure] else []
+
+
+def figures_of(figures):
+    """Pictures and tables of some figures."""
+    pictures = [f"{RESULTS}/figures/{figure}.{form}" for figure in figures for form in ("png", "svg")]
+    tables = [f"{RESULTS}/tables/{figure}.{form}" for figure in figures for form in ("csv", "md")]
+    return pictures + [path for path in tables if Path(path).stem in PLAN.tables]

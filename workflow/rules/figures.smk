@@ -37,7 +37,7 @@ rule table:
 
 rule run_times:
     input:
-        runs=expand(f"{RESULTS}/runs/{{case_id}}.nc", case_id=PLAN.cases),
+        missing_of(PLAN.cases),
     output:
         csv=report(f"{RESULTS}/tables/run_times.csv", caption="../report/run_times.rst", category="Tables"),
         md=f"{RESULTS}/tables/run_times.md",
@@ -46,16 +46,9 @@ rule run_times:
     conda:
         "../envs/orthocut.yaml"
     params:
+        members=members_of(PLAN.cases),
+        sources=digest_pictures(),
         labels=PLAN.labels,
+        store=STORE,
     script:
         "../scripts/run_times.py"
-
-
-rule figures:
-    input:
-        expand(f"{RESULTS}/figures/{{figure}}.{{form}}", figure=PLAN.figures, form=("png", "svg")),
-
-
-rule tables:
-    input:
-        expand(f"{RESULTS}/tables/{{name}}.{{form}}", name=[*PLAN.tables, "run_times"], form=("csv", "md")),

@@ -1,30 +1,40 @@
-"""One job, one case, one file. Sources and libraries that can change its numbers are parameters of the job.
+"""Simulate what the store lacks: one job a long case, one job for many short ones.
 
-The kernels are no `ancient` input: Snakemake does not look at the parameters of a job whose ancient input is made anew
-in the same run, and the job would keep the results of the old sources.
+Results are no outputs: Snakemake removes the outputs of jobs that fail or start again. The mark of a batch is
+temporary; a case that is in the store is no part of the DAG.
 """
+
+
+def minutes(wildcards, threads, attempt):
+    """Time limit of a batch: three times the prediction, and more at each attempt."""
+    batch = batch_of(wildcards)
+    predicted = max(batch.seconds / threads, max(job.seconds for job in batch.jobs))
+    return attempt * (10 + int(predicted / 20))
 
 
 rule simulate:
     input:
-        kernels=lambda wildcards: f"{RESULTS}/kernels/{method_of(wildcards.case_id)}.compiled",
+        kernels=lambda wildcards: f"{RESULTS}/kernels/{batch_of(wildcards).method}.compiled",
     output:
-        run=f"{RESULTS}/runs/{{case_id}}.nc",
+        temp(f"{RESULTS}/batches/{{batch}}.done"),
     log:
-        f"{RESULTS}/logs/simulate/{{case_id}}.log",
-    priority: lambda wildcards: int(PLAN.seconds(wildcards.case_id))
+        f"{RESULTS}/logs/simulate/{{batch}}.log",
+    priority: lambda wildcards: int(batch_of(wildcards).seconds)
     conda:
         "../envs/orthocut.yaml"
+    threads: lambda wildcards: min(len(batch_of(wildcards).jobs), CORES)
     resources:
-        mem_mb=1500,
-        runtime=lambda wildcards: 10 + int(PLAN.seconds(wildcards.case_id) / 20),
+        mem_mb=lambda wildcards, threads, attempt: attempt * threads * batch_of(wildcards).memory_mb,
+        runtime=minutes,
     params:
-        case=lambda wildcards: canonical(PLAN.cases[wildcards.case_id]),
-        sources=lambda wildcards: digest_numbers(PLAN.cases[wildcards.case_id].kind),
+        batch=f"{RESULTS}/batches/{{batch}}.json",
+        events=f"{RESULTS}/progress/{{batch}}.jsonl",
+        store=STORE,
+        cluster=config.get("cluster", "local"),
     script:
         "../scripts/simulate.py"
 
 
 rule runs:
     input:
-        expand(f"{RESULTS}/runs/{{case_id}}.nc", case_id=PLAN.cases),
+        missing_of(PLAN.cases),

@@ -1,10 +1,13 @@
-"""Join runs into the dataset of a figure."""
+"""Join results into the dataset of a figure."""
 
 from logged import logged
 
 with logged(snakemake.log[0]):
     from orthocut.io.collect import collect
-    from orthocut.io.netcdf import read, write
+    from orthocut.io.netcdf import write
+    from orthocut.io.store import Store
 
-    runs = map(read, snakemake.input.runs)
+    store = Store(snakemake.params.store)
+    keys = [member.partition("#")[0] for member in snakemake.params.members]
+    runs = (store.read(key, snakemake.params.fields) for key in keys)
     write(collect(runs, snakemake.wildcards.figure, snakemake.params.dims), snakemake.output.dataset)

@@ -4,7 +4,8 @@ from logged import logged
 
 with logged(snakemake.log[0]):
     from orthocut.figures.tables import run_times, write
-    from orthocut.io.netcdf import read
+    from orthocut.io.store import Store
 
-    runs = [read(path) for path in snakemake.input.runs]
+    store = Store(snakemake.params.store)
+    runs = [store.read(member.partition("#")[0]) for member in snakemake.params.members]
     write(run_times(runs, snakemake.params.labels), snakemake.output.csv.removesuffix(".csv"))

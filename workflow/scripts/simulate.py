@@ -1,13 +1,20 @@
-"""Run one case."""
+"""Simulate the cases of a batch into the store."""
 
-import json
+from pathlib import Path
 
 from logged import logged
 
 with logged(snakemake.log[0]):
-    from orthocut.io.netcdf import write
-    from orthocut.params.case import validate
-    from orthocut.run import run_case
+    from orthocut.io.store import Store
+    from orthocut.survey import read_batch
+    from orthocut.sweep import Events, run_batch
 
-    case = validate(json.loads(snakemake.params.case), snakemake.wildcards.case_id)
-    write(run_case(case), snakemake.output.run)
+    run_batch(
+        read_batch(Path(snakemake.params.batch)),
+        Store(snakemake.params.store),
+        Events(Path(snakemake.params.events)),
+        workers=snakemake.threads,
+        memory_mb=snakemake.resources.mem_mb,
+        cluster=snakemake.params.cluster,
+    )
+    Path(snakemake.output[0]).touch()

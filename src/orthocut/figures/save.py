@@ -49,4 +49,3 @@ def save(figure: Figure, target: str | Path) -> list[Path]:
         for part in parts:
             part.unlink(missing_ok=True)
     return paths
-

@@ -35,5 +35,20 @@ def build(case: Block, title: str, data: Data, coords: Data | None = None) -> xr
         {name: (dims, np.asarray(values), attributes(name)) for name, (dims, values) in data.items()},
         coords={name: (dims, np.asarray(values), attributes(name)) for name, (dims, values) in (coords or {}).items()},
     )
-    dataset.attrs = {"title": title, **provenance(case)}
+    dataset.attrs = {"title": title, "status": "done", **provenance(case)}
     return dataset
+
+
+def failed(case: Block, reason: str, seconds: float) -> xr.Dataset:
+    """Result of a case that fails by its own numbers: no values, but the whole case and why it failed.
+
+    Parameters
+    ----------
+    case : Block
+    reason : str
+        Diagnosis, one line.
+    seconds : float
+        Run time until it failed [s].
+    """
+    facts = {"title": "Failed", "status": "failed", "failure": reason, "wall_time_s": seconds}
+    return xr.Dataset(attrs=facts | provenance(case))

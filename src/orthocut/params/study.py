@@ -78,6 +78,8 @@ class Sweep(Block):
     """What varies."""
     replicates: Annotated[int, Number(1, 1000, integer=True)] = 1
     """Random replicates of each point; replicate k of a packing with seed s has seed s + k."""
+    snapshots: Annotated[int, Number(2, 200, integer=True)] = 6
+    """Snapshots of each run, if a figure draws any; more of them change no other number."""
 
     def expand(self, source: str) -> list[tuple[str, Case]]:
         """Return a label and the case of every member, in order.

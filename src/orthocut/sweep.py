@@ -1,0 +1,175 @@
+"""Simulate cases into a store: one in this process, or many by warm worker processes."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from orthocut.cost import estimate_seconds
+from orthocut.io.checkpoint import Checkpoint
+from orthocut.io.datasets import failed
+from orthocut.io.store import CHECKPOINT, Entry, Store
+from orthocut.measure.guard import CaseFailed
+from orthocut.params.case import validate
+from orthocut.params.identity import result_key
+from orthocut.run import run_case
+from orthocut.survey import Batch, Job
+
+if TYPE_CHECKING:
+    import distributed
+
+CLUSTERS = ("local", "slurm")
+_PATIENCE = 5.0  # seconds between reports of how far a case is
+_ALLOWED_FAILURES = 2  # times that a worker may die of a case
+
+
+class Interrupted(RuntimeError):
+    """Cases of a batch could not be run, for reasons that are not theirs; all others are in the store."""
+
+
+class Events:
+    """Lines of JSON that tell what happens, for whoever shows progress.
+
+    Parameters
+    ----------
+    path : Path
+        File to add lines to; its folder is made.
+    """
+
+    def __init__(self, path: Path) -> None:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self.path = path
+
+    def tell(self, event: str, **facts: Any) -> None:
+        """Add a line; it is written in one piece, also when several processes write."""
+        line = json.dumps({"event": event, **facts}) + "\n"
+        handle = os.open(self.path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o644)
+        try:
+            os.write(handle, line.encode())
+        finally:
+            os.close(handle)
+
+
+def simulate_job(job: Job, store: Store, events: Events) -> Entry:
+    """Simulate a case into a store, unless it is there already; go on from its checkpoint if it has one.
+
+    A case that fails by its own numbers is stored as failed.
+
+    Raises
+    ------
+    OSError
+        If the result cannot be written.
+    """
+    case = validate(json.loads(job.case), job.case_id)
+    key = result_key(case)
+    if store.holds(key, job.snapshots):
+        entry = store.entry(key)
+        events.tell("done" if entry.status == "done" else "failed", case=job.case_id, seconds=0.0, reason=entry.reason)
+        return entry
+
+    events.tell("start", case=job.case_id)
+    started = reported = time.monotonic()
+
+    def progress(fraction: float) -> None:
+        nonlocal reported
+        if time.monotonic() - reported > _PATIENCE:
+            reported = time.monotonic()
+            events.tell("fraction", case=job.case_id, fraction=fraction)
+
+    checkpoint = Checkpoint(store.path(key, CHECKPOINT), key)
+    try:
+        dataset = run_case(case, progress, checkpoint, job.snapshots)
+    except CaseFailed as error:
+        dataset = failed(case, " ".join(str(error).split()), time.monotonic() - started)
+    entry = store.put(case, dataset, job.snapshots, estimate_seconds(case))
+    checkpoint.remove()
+    seconds = time.monotonic() - started
+    events.tell("done" if entry.status == "done" else "failed", case=job.case_id, seconds=seconds, reason=entry.reason)
+    return entry
+
+
+def run_batch(
+    batch: Batch, store: Store, events: Events, workers: int, memory_mb: int, cluster: str = "local"
+) -> list[Entry]:
+    """Simulate the cases of a batch, longest first.
+
+    Parameters
+    ----------
+    batch : Batch
+    store : Store
+    events : Events
+    workers : int
+        Number of worker processes, one core each; with one, the cases run in this process.
+    memory_mb : int
+        Memory of all workers together [MB]; a worker that needs more than its share is ended.
+    cluster : str
+        ``local``, or ``slurm``: the workers are Slurm jobs of their own, on any nodes.
+
+    Raises
+    ------
+    Interrupted
+        After all other cases, if workers died of a case or results could not be written.
+    """
+    workers = min(workers, len(batch.jobs))
+    if workers == 1 and cluster == "local":
+        return [simulate_job(job, store, events) for job in batch.jobs]
+
+    from distributed import Client, as_completed
+
+    entries, lost = [], []
+    with _cluster(cluster, workers, memory_mb) as running, Client(running) as client:
+        events.tell("dashboard", address=client.dashboard_link)
+        futures = {
+            client.submit(simulate_job, job, store, events, key=job.case_id, priority=-rank, pure=False): job
+            for rank, job in enumerate(batch.jobs)
+        }
+        for future in as_completed(futures):
+            job = futures[future]
+            if future.status == "finished":
+                entries.append(future.result())
+            else:
+                lost.append(f"{job.case_id}: {_why(future)}")
+                events.tell("lost", case=job.case_id, reason=lost[-1])
+    if lost:
+        raise Interrupted(f"{len(lost)} of {len(batch.jobs)} cases could not be run: {'; '.join(lost)}")
+    return entries
+
+
+def _why(future: distributed.Future) -> str:
+    """Why a case has no result."""
+    error = future.exception()
+    if type(error).__name__ == "KilledWorker":
+        return f"its worker died {_ALLOWED_FAILURES + 1} times; out of memory?"
+    return f"{type(error).__name__}: {error}"
+
+
+@contextmanager
+def _cluster(kind: str, workers: int, memory_mb: int) -> Iterator[distributed.deploy.Cluster]:
+    """Worker processes with one thread each, which start once and keep their compiled kernels."""
+    import dask
+    from distributed import LocalCluster
+
+    share = f"{memory_mb / workers:.0f}MB"
+    settings = {
+        "distributed.scheduler.allowed-failures": _ALLOWED_FAILURES,
+        "distributed.scheduler.work-stealing": False,
+        "distributed.comm.timeouts.connect": "60s",
+    }
+    with tempfile.TemporaryDirectory(prefix="orthocut-") as scratch, dask.config.set(settings):
+        if kind == "slurm":
+            from dask_jobqueue import SLURMCluster
+
+            options = {"cores": 1, "processes": 1, "memory": share, "local_directory": scratch}
+            with SLURMCluster(**options) as cluster:
+                cluster.scale(workers)
+                yield cluster
+        else:
+            options = {"n_workers": workers, "threads_per_worker": 1, "memory_limit": share}
+            with LocalCluster(**options, dashboard_address="127.0.0.1:0", local_directory=scratch) as cluster:
+                yield cluster
