@@ -126,7 +126,7 @@ class Survey:
 
 def survey(plan: Plan, store: Store) -> Survey:
     """Look for every case of a plan in a store; broken files are named and set aside."""
-    known = store.keys()
+    known = store.names()
     present, others = set(known), {key.rpartition("-")[0] for key in known}
     entries: dict[str, Entry] = {}
     states: dict[str, str] = {}

@@ -1,4 +1,4 @@
-"""Time left of a workflow: rough estimates of the cases, corrected by those that are done."""
+"""Counts of cases and the time left: predictions, corrected by the cases that are done."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def words(seconds: float) -> str:
     return f"{minutes} min {rest:02d} s" if minutes < 60 else f"{minutes // 60} h {minutes % 60:02d} min"
 
 
-def method(case: str) -> str:
+def kind(case: str) -> str:
     """Return the kind in a case id, such as ``dem-cutting``."""
     return case.rpartition("-")[0]
 
@@ -25,70 +25,84 @@ class Clock:
     Attributes
     ----------
     cores : int
-        Number of jobs that run at once.
+        Number of cases that run at once.
+    ended : dict
+        Case id to run time [s], of all cases that are done or failed.
     """
 
     def __init__(self) -> None:
         self.cores = 1
         self.cases: dict[str, tuple[str, float]] = {}
-        self.jobs_total = self.jobs_done = self.cases_total = self.cases_done = 0
-        self._running: dict[str, float] = {}
-        self._finished: dict[str, float] = {}
+        self.jobs_total = self.jobs_done = 0
+        self.failed: set[str] = set()
+        self.ended: dict[str, float] = {}
+        self._running: dict[str, tuple[float, float]] = {}
 
     def announce(self, cases: Mapping[str, tuple[str, float]]) -> None:
-        """Take note of all cases of the study: id to label and estimated seconds."""
+        """Take note of the cases that will be simulated: id to label and predicted seconds."""
         self.cases = dict(cases)
 
-    def begin(self, cases: int, jobs: int) -> None:
-        """Take note of how many simulations and jobs will run."""
-        self.cases_total, self.jobs_total = cases, jobs
+    def begin(self, jobs: int, simulations: int) -> None:
+        """Take note of how many jobs will run; without simulations among them, no case will."""
+        self.jobs_total = jobs
+        if not simulations:
+            self.cases = {}
 
     def label(self, case: str) -> str:
         """Return what a case is, in words."""
         return self.cases[case][0] if case in self.cases else case
 
     def start(self, case: str) -> None:
-        """Note the start of a job, and of its case if it has one."""
-        if case:
-            self._running[case] = time.monotonic()
+        """Note the start of a case."""
+        self._running[case] = (time.monotonic(), 0.0)
 
-    def finish(self, case: str, seconds: float) -> None:
-        """Note the end of a job."""
-        self.jobs_done += 1
-        if case:
-            self.cases_done += 1
-            self._running.pop(case, None)
-            self._finished[case] = seconds
+    def advance(self, case: str, fraction: float) -> None:
+        """Note which fraction of a running case is done."""
+        begun, _ = self._running.get(case, (time.monotonic(), 0.0))
+        self._running[case] = (begun, fraction)
 
-    def give_up(self, case: str) -> None:
-        """Note that a case failed: nothing is left to do for it."""
-        if self._running.pop(case, None) is not None:
-            self.cases_total -= 1
+    def finish(self, case: str, seconds: float, failed: bool = False) -> None:
+        """Note the end of a case."""
+        self._running.pop(case, None)
+        self.ended[case] = seconds
+        if failed:
+            self.failed.add(case)
 
-    def _scale(self, kind: str) -> float:
-        """Measured over estimated seconds of the finished cases of a kind, of all kinds, or 1."""
-        for chosen in (lambda case: method(case) == kind, lambda case: True):
-            known = [case for case in self._finished if case in self.cases and chosen(case)]
+    @property
+    def counts(self) -> str:
+        """Cases done, running and failed, in words."""
+        text = f"{len(self.ended)}/{max(len(self.cases), len(self.ended))} cases"
+        text += f", {len(self._running)} running" if self._running else ""
+        return text + (f", {len(self.failed)} failed" if self.failed else "")
+
+    def _scale(self, wanted: str) -> float:
+        """Measured over predicted seconds of the finished cases of a kind, of all kinds, or 1."""
+        for chosen in (lambda case: kind(case) == wanted, lambda case: True):
+            known = [case for case in self.ended if case in self.cases and chosen(case) and self.ended[case] > 0]
             guess = sum(self.cases[case][1] for case in known)
             if guess > 0:
-                return sum(self._finished[case] for case in known) / guess
+                return sum(self.ended[case] for case in known) / guess
         return 1.0
 
     def seconds_left(self) -> float:
         """Estimate of the time until the last simulation ends [s]."""
-        expected = {case: seconds * self._scale(method(case)) for case, (_, seconds) in self.cases.items()}
-        waiting = [case for case in self.cases if case not in self._finished and case not in self._running]
-        count = max(self.cases_total - self.cases_done - len(self._running), 0)
-        now = time.monotonic()
-        work = [max(expected.get(case, 0.0) - (now - begun), 0.0) for case, begun in self._running.items()]
-        if waiting:
-            work += [sum(expected[case] for case in waiting) / len(waiting)] * count
+        scales = {name: self._scale(name) for name in {kind(case) for case in self.cases}}
+        now, work = time.monotonic(), []
+        for case, (_, seconds) in self.cases.items():
+            if case in self.ended:
+                continue
+            expected = seconds * scales[kind(case)]
+            if case in self._running:
+                begun, fraction = self._running[case]
+                spent = now - begun
+                expected = spent * (1 - fraction) / fraction if fraction > 0.05 else max(expected - spent, 0.0)
+            work.append(expected)
         return max(sum(work) / self.cores, max(work, default=0.0))
 
     def left(self) -> str:
         """Return the time left in words, rounded as it deserves."""
-        seconds = self.seconds_left()
-        if self.cases_done == self.cases_total:
+        if len(self.ended) >= len(self.cases):
             return "no simulations left"
+        seconds = self.seconds_left()
         rounded = 5 * round(seconds / 5) if seconds < 120 else 30 * round(seconds / 30)
         return f"about {words(max(rounded, 5)).replace('.0', '')} left"

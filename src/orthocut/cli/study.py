@@ -58,7 +58,7 @@ def expand(file: StudyFile, as_json: Json = False) -> None:
     """Print the cases of a study: id, sweeps, what varies."""
     rows, study = _cases(file)
     if as_json:
-        print_json({"study": str(_path(file)), "title": study.title, "figures": study.figures, "cases": rows})
+        print_json({"study": str(study_path(file)), "title": study.title, "figures": study.figures, "cases": rows})
         return
     for row in rows:
         typer.echo(f"{row['case_id']}  {row['label']}")
@@ -69,38 +69,35 @@ def expand(file: StudyFile, as_json: Json = False) -> None:
 @guarded
 def status(
     file: StudyFile,
-    results: Annotated[Path, typer.Option(help="Folder that the workflow writes.")] = Path("results"),
+    root: Annotated[Path, typer.Option("--store", help="Folder of the results.")] = Path("results/store"),
     as_json: Json = False,
 ) -> None:
-    """Tell which cases are done, which are out of date because sources changed, and which are missing."""
-    import netCDF4
+    """Tell which cases are done, failed, stale (made by other sources) and missing, and how long the rest will take."""
+    import os
 
-    from orthocut.params.identity import digest_numbers
+    from orthocut.io.store import Store
+    from orthocut.plan import load_plan
+    from orthocut.survey import as_rows, survey
 
-    rows, study = _cases(file)
-    for row in rows:
-        path = results / "runs" / f"{row['case_id']}.nc"
-        row["state"], row["wall_time_s"] = "missing", None
-        if path.exists():
-            try:
-                with netCDF4.Dataset(path) as run:
-                    current = run.source_digest == digest_numbers(row["case"]["kind"])
-                    row["state"] = "done" if current else "out of date"
-                    row["wall_time_s"] = float(run.wall_time_s)
-            except (OSError, AttributeError):
-                row["state"] = "unreadable"
-    counts = {state: sum(row["state"] == state for row in rows) for state in ("done", "out of date", "missing")}
+    found = survey(load_plan(study_path(file)), Store(root))
+    rows, counts, cores = as_rows(found), found.counts, os.cpu_count() or 1
     if as_json:
-        slim = [{key: value for key, value in row.items() if key != "case"} for row in rows]
-        print_json({"study": str(_path(file)), "title": study.title, "counts": counts, "cases": slim})
+        totals = {"seconds_left_one_core": found.seconds_left, "cores": cores}
+        print_json(
+            {"study": str(study_path(file)), "title": found.plan.title, "counts": counts, **totals, "cases": rows}
+        )
         return
     for row in rows:
-        seconds = "" if row["wall_time_s"] is None else f"{row['wall_time_s']:.1f} s"
-        typer.echo(f"{row['state']:<12} {seconds:>9}  {row['case_id']}  {row['label']}")
+        predicted = "" if row["state"] in ("done", "failed") else "predicted"
+        typer.echo(f"{row['state']:<8} {row['seconds']:>8.1f} s {predicted:<9}  {row['case_id']}  {row['label']}")
+        if row["reason"]:
+            typer.echo(f"         {row['reason']}")
     typer.echo(", ".join(f"{count} {state}" for state, count in counts.items()), err=True)
+    typer.echo(f"left: about {found.seconds_left / cores / 60:.1f} min on {cores} cores", err=True)
 
 
-def _path(file: Path) -> Path:
+def study_path(file: Path) -> Path:
+    """File of a study that is given by its file or by its name."""
     named = CONFIG / f"{file}.yaml"
     return named if not file.suffix and not file.exists() and named.exists() else file
 
@@ -109,7 +106,7 @@ def _cases(file: Path) -> tuple[list[dict[str, Any]], Study]:
     """One row a case, each case once, in the order of the study."""
     from orthocut.params.study import load_study
 
-    path = _path(file)
+    path = study_path(file)
     study = load_study(path)
     sweeps, labels = study.expand(str(path))
     rows: dict[str, dict[str, Any]] = {}

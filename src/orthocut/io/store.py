@@ -57,7 +57,7 @@ class Store:
         """File of a result."""
         return self.root / f"{key}{suffix}"
 
-    def keys(self) -> list[str]:
+    def names(self) -> list[str]:
         """Names of all results, sorted; none of them is checked."""
         if not self.root.is_dir():
             return []

@@ -1,0 +1,181 @@
+"""``orthocut store``: look after the results."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from orthocut.cli.common import FAILED, Json, guarded, print_json
+from orthocut.cli.study import CONFIG, study_path
+from orthocut.params.block import ConfigError
+
+if TYPE_CHECKING:
+    from orthocut.io.store import Store
+
+app = typer.Typer(
+    help="Look after the results: check, list, clean up, carry to another place.",
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+Root = Annotated[Path, typer.Option("--store", help="Folder of the results.")]
+DEFAULT = Path("results/store")
+Studies = Annotated[
+    list[str] | None, typer.Option("--study", help="Only cases of this study, from these sources. Repeatable.")
+]
+DryRun = Annotated[bool, typer.Option("--dry-run", "-n", help="Say what would happen, change nothing.")]
+
+
+def _open(root: Path) -> Store:
+    from orthocut.io.store import Store
+
+    if not root.is_dir():
+        raise ConfigError(f"--store {root}: is not a folder (allowed: the folder of a store)")
+    return Store(root)
+
+
+def _wanted(studies: list[str]) -> set[str]:
+    """Names of the results that studies want, from these sources."""
+    from orthocut.params.identity import result_key
+    from orthocut.params.study import load_study
+
+    cases = (load_study(study_path(Path(name))).cases(name) for name in studies)
+    return {result_key(case) for sweeps in cases for members in sweeps.values() for case in members.values()}
+
+
+def _chosen(store: Store, studies: list[str] | None) -> list[str]:
+    wanted = _wanted(studies) if studies else None
+    return [key for key in store.names() if wanted is None or key in wanted]
+
+
+@app.command("verify", epilog="Example:\n\northocut store verify")
+@guarded
+def verify(root: Root = DEFAULT, as_json: Json = False) -> None:
+    """Check the checksum of every file; name and set aside what is broken. Exit code 1 if anything was."""
+    import warnings
+
+    from orthocut.io.store import SNAPSHOTS
+
+    store = _open(root)
+    keys = store.names()
+    keys += [path.name.removesuffix(SNAPSHOTS) for path in root.glob(f"*{SNAPSHOTS}")]
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        for key in sorted(set(keys)):
+            store.entry(key)
+            store.snapshots(key)
+    broken = [str(warning.message) for warning in found]
+    if as_json:
+        print_json({"checked": len(set(keys)), "broken": broken})
+    else:
+        typer.echo(f"{len(set(keys))} results checked, {len(broken)} files broken")
+        for line in broken:
+            typer.echo(f"error: {line}", err=True)
+    if broken:
+        raise typer.Exit(FAILED)
+
+
+@app.command("list", epilog="Example:\n\northocut store list --study quick")
+@guarded
+def list_results(root: Root = DEFAULT, studies: Studies = None, as_json: Json = False) -> None:
+    """List the results: state, run time, size, and why a case failed."""
+    store = _open(root)
+    rows = []
+    for key in _chosen(store, studies):
+        entry = store.entry(key)
+        if entry is not None:
+            size = sum(path.stat().st_size for path in root.glob(f"{key}.*nc"))
+            rows.append({**entry._asdict(), "bytes": size})
+    if as_json:
+        print_json({"results": rows})
+        return
+    for row in rows:
+        typer.echo(f"{row['status']:<7} {row['seconds']:>8.1f} s {row['bytes'] / 1e3:>8.1f} kB  {row['key']}")
+        if row["reason"]:
+            typer.echo(f"        {row['reason']}")
+    typer.echo(f"{len(rows)} results, {sum(row['bytes'] for row in rows) / 1e6:.1f} MB", err=True)
+
+
+@app.command("retry", epilog="Example:\n\northocut store retry --study quick")
+@guarded
+def retry(root: Root = DEFAULT, studies: Studies = None) -> None:
+    """Set failed results aside, so that the next run of the workflow simulates their cases again."""
+    store = _open(root)
+    found = [key for key in _chosen(store, studies) if store.retry(key)]
+    for key in found:
+        typer.echo(key)
+    typer.echo(f"{len(found)} failed results set aside", err=True)
+
+
+@app.command("gc", epilog="Example:\n\northocut store gc --dry-run")
+@guarded
+def collect_garbage(
+    root: Root = DEFAULT,
+    studies: Annotated[
+        list[str] | None,
+        typer.Option("--study", help=f"Keep what this study wants. Repeatable; default: all studies in {CONFIG}."),
+    ] = None,
+    dry_run: DryRun = False,
+) -> None:
+    """Remove results that no study wants or that other sources made, and what killed processes left."""
+    from orthocut.io.store import SNAPSHOTS, SUFFIX
+
+    store = _open(root)
+    names = studies or [str(path) for path in sorted(CONFIG.glob("*.yaml")) if path.name != "default.yaml"]
+    if not names:
+        raise ConfigError(f"{CONFIG}: holds no studies, so that nothing would be kept (allowed: --study STUDY.yaml)")
+    wanted = _wanted(names)
+    doomed = [store.path(key, suffix) for key in store.names() if key not in wanted for suffix in (SUFFIX, SNAPSHOTS)]
+    doomed = [path for path in doomed if path.exists()] + list(store.remains())
+    for path in doomed:
+        typer.echo(str(path))
+        if not dry_run:
+            path.unlink(missing_ok=True)
+    typer.echo(f"{len(doomed)} files {'would be ' if dry_run else ''}removed", err=True)
+
+
+@app.command("export", epilog="Example:\n\northocut store export quick.tar --study quick")
+@guarded
+def export(
+    target: Annotated[Path, typer.Argument(help="Folder, or archive that ends in .tar, .tar.gz or .tgz.")],
+    root: Root = DEFAULT,
+    studies: Studies = None,
+    snapshots: Annotated[bool, typer.Option(help="Also snapshots, where there are any.")] = True,
+) -> None:
+    """Copy results, checked, to a folder or an archive."""
+    from orthocut.io.transfer import export_results
+
+    store = _open(root)
+    done = export_results(store, _chosen(store, studies), target, snapshots)
+    _tell(done, "exported")
+
+
+@app.command("import", epilog="Example:\n\northocut store import results/published/store")
+@guarded
+def import_(
+    source: Annotated[Path, typer.Argument(help="Folder or archive that `orthocut store export` made.")],
+    root: Root = DEFAULT,
+) -> None:
+    """Copy results, checked, into the store; what is there stays. Figures are then drawn without simulations."""
+    import tarfile
+
+    from orthocut.io.store import Store
+    from orthocut.io.transfer import import_results
+
+    if not source.exists():
+        raise ConfigError(f"{source}: cannot be read: no such file or folder")
+    try:
+        done = import_results(source, Store(root))
+    except tarfile.TarError as error:
+        raise ConfigError(f"{source}: is not an archive of results: {error}") from None
+    _tell(done, "imported")
+
+
+def _tell(done: tuple[list[str], ...], verb: str) -> None:
+    copied, present, broken = done
+    for name in broken:
+        typer.echo(f"error: {name} is broken and was left out", err=True)
+    typer.echo(f"{len(copied)} files {verb}, {len(present)} were there already, {len(broken)} broken")
+    if broken:
+        raise typer.Exit(FAILED)
