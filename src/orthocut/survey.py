@@ -104,6 +104,13 @@ class Survey:
         """Missing case to label and predicted run time, for the display of progress."""
         return {case_id: (self.plan.labels[case_id], self.seconds(case_id)) for case_id in self.missing}
 
+    def summary(self) -> str:
+        """What there is to do, in one line."""
+        counts = self.counts
+        present = f"{counts['done']} done" + (f", {counts['failed']} failed" if counts["failed"] else "")
+        stale = f" ({counts['stale']} of them stale)" if counts["stale"] else ""
+        return f"{len(self.missing)} cases to simulate{stale}, {self.seconds_left:.0f} s on one core; {present}"
+
     def batches(self, cores: int, minutes: float) -> list[Batch]:
         """Share out what is missing.
 

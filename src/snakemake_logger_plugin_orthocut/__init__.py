@@ -75,7 +75,7 @@ class LogHandler(LogHandlerBase):
         self.feed: Feed | None = None
         self._told = -QUIET
         self._lock = threading.RLock()
-        self._closed = threading.Event()
+        self._ended = threading.Event()
 
     def emit(self, record: logging.LogRecord) -> None:
         """Show a record, or take note of it."""
@@ -87,6 +87,8 @@ class LogHandler(LogHandlerBase):
         if hasattr(record, "cases"):
             self.clock.announce(record.cases)
             self.feed = Feed(record.progress)
+            if self.plain is not None or record.cases:
+                self._say(str(record.msg))
         elif self.plain is not None:
             self.plain.handle(record)
         elif event == LogEvent.RESOURCES_INFO and getattr(record, "cores", None):
@@ -115,7 +117,7 @@ class LogHandler(LogHandlerBase):
     def _begin(self, stats: dict[str, int]) -> None:
         self.clock.begin(stats.get("total", 0), stats.get("simulate", 0))
         cases = len(self.clock.cases)
-        self._say(f"{self.clock.jobs_total} jobs, {cases} simulations; {self.clock.left()}")
+        self._say(f"{self.clock.jobs_total} jobs; {self.clock.left()}")
         if sys.stderr.isatty():
             from rich.console import Console
             from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -129,7 +131,7 @@ class LogHandler(LogHandlerBase):
 
     def _listen(self) -> None:
         """Look for reports of running batches until the workflow ends."""
-        while not self._closed.wait(0.3):
+        while not self._ended.wait(0.3):
             with self._lock:
                 self._report()
 
@@ -195,7 +197,7 @@ class LogHandler(LogHandlerBase):
 
     def close(self) -> None:
         """Remove the bar; count what failed."""
-        self._closed.set()
+        self._ended.set()
         if self.bar is not None:
             self.bar.stop()
             self.bar = None

@@ -8,6 +8,7 @@ from snakemake_interface_logger_plugins.common import LogEvent
 
 import snakemake_logger_plugin_orthocut as plugin
 from snakemake_logger_plugin_orthocut.clock import Clock, words
+from snakemake_logger_plugin_orthocut.feed import Feed
 
 
 @pytest.fixture
@@ -30,11 +31,11 @@ def clock(cores=1):
     made = Clock()
     made.cores = cores
     made.announce({"mpm-a": ("a", 10.0), "mpm-b": ("b", 10.0), "dem-c": ("c", 100.0)})
-    made.begin(3, 8)
+    made.begin(8, 2)
     return made
 
 
-def test_time_left_starts_from_the_estimates(now):
+def test_time_left_starts_from_the_predictions(now):
     assert clock().seconds_left() == pytest.approx(120)
 
 
@@ -58,12 +59,50 @@ def test_running_cases_count_down_and_the_longest_bounds(now):
     assert made.seconds_left() == 0
 
 
-def test_only_stale_cases_count(now):
+def test_a_case_that_tells_how_far_it_is_is_believed(now):
+    made = clock(cores=2)
+    made.start("dem-c")
+    now.seconds = 30.0
+    made.advance("dem-c", 0.1)
+    assert made.seconds_left() == pytest.approx(270)
+
+
+def test_failed_cases_are_counted_apart(now):
     made = clock()
-    made.begin(1, 3)
-    assert made.seconds_left() == pytest.approx(40)
-    made.begin(0, 3)
+    made.start("mpm-a")
+    made.finish("mpm-a", 1.0, failed=True)
+    made.start("mpm-b")
+    assert made.counts == "1/3 cases, 1 running, 1 failed"
+
+
+def test_nothing_is_left_without_simulations(now):
+    made = clock()
+    made.begin(3, 0)
     assert made.left() == "no simulations left"
+
+
+@pytest.fixture
+def feed(tmp_path):
+    return Feed(tmp_path)
+
+
+def tell(folder, batch, *lines):
+    with open(folder / f"{batch}.jsonl", "a", encoding="utf-8") as file:
+        file.write("".join(lines))
+
+
+def test_feed_reads_what_is_new_of_the_batches_it_follows(feed, tmp_path):
+    tell(tmp_path, "a", '{"event": "done", "case": "of an earlier run"}\n')
+    feed.follow("a")
+    feed.follow("b")
+    assert feed.news() == []
+    tell(tmp_path, "a", '{"event": "start", "case": "x"}\n', "nonsense\n", "[1]\n", '{"event": "do')
+    tell(tmp_path, "b", '{"event": "start", "case": "y"}\n')
+    tell(tmp_path, "c", '{"event": "start", "case": "z"}\n')
+    assert [event["case"] for event in feed.news()] == ["x", "y"]
+    tell(tmp_path, "a", 'ne", "case": "x"}\n')
+    assert feed.news() == [{"event": "done", "case": "x"}]
+    assert feed.news() == []
 
 
 @pytest.fixture
@@ -86,20 +125,44 @@ def send(handler, message="", level=logging.INFO, **fields):
     handler.emit(record)
 
 
-def test_handler_tells_one_line_a_job(handler, now, capsys):
-    send(handler, cases={"mpm-a": ("depths: cut_depth 1 mm", 10.0), "mpm-b": ("other", 10.0)})
-    send(handler, event=LogEvent.RUN_INFO, stats={"simulate": 2, "figure": 1, "total": 3})
-    send(handler, event=LogEvent.JOB_INFO, jobid=7, rule_name="simulate", wildcards={"case_id": "mpm-a"})
+def begin(handler, folder, **cases):
+    send(handler, "to do", cases={case: (words, 10.0) for case, words in cases.items()}, progress=folder)
+    send(handler, event=LogEvent.RUN_INFO, stats={"simulate": 1, "figure": 1, "total": 3})
+    send(handler, event=LogEvent.JOB_INFO, jobid=7, rule_name="simulate", wildcards={"batch": "batch-mpm-1"})
+
+
+def test_handler_tells_cases_and_jobs(handler, now, tmp_path, capsys):
+    begin(handler, tmp_path, **{"mpm-a": "depths: cut_depth 1 mm", "mpm-b": "other"})
+    tell(tmp_path, "batch-mpm-1", '{"event": "dashboard", "address": "http://127.0.0.1:1/status"}\n')
+    tell(tmp_path, "batch-mpm-1", '{"event": "start", "case": "mpm-a"}\n')
+    tell(tmp_path, "batch-mpm-1", '{"event": "done", "case": "mpm-a", "seconds": 20.0, "reason": ""}\n')
     now.seconds = 20.0
     send(handler, event=LogEvent.JOB_FINISHED, job_id=7)
     send(handler, event=LogEvent.JOB_INFO, jobid=8, rule_name="figure", wildcards={"figure": "fig08"})
     now.seconds = 21.0
     send(handler, event=LogEvent.JOB_FINISHED, job_id=8)
+    handler.close()
     assert capsys.readouterr().err.splitlines() == [
-        "3 jobs, 2 of them simulations; about 20 s left",
-        "[  1/3] depths: cut_depth 1 mm  (20 s; cases 1/2, about 20 s left)",
+        "to do",
+        "3 jobs; about 20 s left",
+        "workers: http://127.0.0.1:1/status",
+        "depths: cut_depth 1 mm  (20 s; 1/2 cases, about 20 s left)",
         "[  2/3] figure, fig08  (1.0 s; about 20 s left)",
     ]
+
+
+def test_handler_is_brief_about_many_quick_cases_but_names_each_failure(handler, now, tmp_path, capsys):
+    begin(handler, tmp_path, **{f"mpm-{k}": f"case {k}" for k in range(50)})
+    for k in range(50):
+        state = "failed" if k in (20, 30) else "done"
+        tell(tmp_path, "batch-mpm-1", f'{{"event": "{state}", "case": "mpm-{k}", "seconds": 0.1, "reason": "why"}}\n')
+    send(handler, event=LogEvent.JOB_FINISHED, job_id=7)
+    handler.close()
+    lines = capsys.readouterr().err.splitlines()[2:]
+    assert lines[0].startswith("case 0  (0.1 s; 1/50 cases")
+    assert lines[1:3] == ["FAILED case 20: why", "FAILED case 30: why"]
+    assert lines[3].startswith("2 cases failed")
+    assert len(lines) == 4
 
 
 def test_handler_drops_chatter_and_keeps_the_rest(handler, capsys):
@@ -116,14 +179,12 @@ def test_handler_drops_chatter_and_keeps_the_rest(handler, capsys):
     ]
 
 
-def test_handler_names_a_failed_case_and_its_reason(handler, tmp_path, capsys):
+def test_handler_names_a_failed_job_and_its_reason(handler, tmp_path, capsys):
     log = tmp_path / "a.log"
-    log.write_text("Traceback\nDiverged: energy is not finite\n\n")
-    send(handler, cases={"mpm-a": ("depths: cut_depth 1 mm", 10.0)})
-    send(handler, event=LogEvent.RUN_INFO, stats={"simulate": 1, "total": 2})
-    send(handler, event=LogEvent.JOB_INFO, jobid=7, rule_name="simulate", wildcards={"case_id": "mpm-a"})
+    log.write_text("Traceback\nOSError: disk full\n\n")
+    begin(handler, tmp_path, **{"mpm-a": "depths"})
     send(handler, level=logging.ERROR, event=LogEvent.JOB_ERROR, jobid=7, rule_name="simulate", log=[str(log)])
-    assert capsys.readouterr().err.splitlines()[1:] == [
-        f"FAILED depths: cut_depth 1 mm: Diverged: energy is not finite  (log: {log})"
+    handler.close()
+    assert capsys.readouterr().err.splitlines()[2:] == [
+        f"FAILED simulate, batch-mpm-1: OSError: disk full  (log: {log})"
     ]
-    assert handler.clock.seconds_left() == 0

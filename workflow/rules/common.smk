@@ -28,10 +28,13 @@ if workflow.is_main_process:
     SURVEY = survey(PLAN, Store(STORE))
     BATCHES = {batch.name: batch for batch in SURVEY.batches(CORES, float(config.get("batch_minutes", 10)))}
     BATCH_OF = {job.case_id: batch.name for batch in BATCHES.values() for job in batch.jobs}
-    logger.info("", extra={"cases": SURVEY.announcement(), "progress": f"{RESULTS}/progress"})
+    logger.info(SURVEY.summary(), extra={"cases": SURVEY.announcement(), "progress": f"{RESULTS}/progress"})
 
 
 onstart:
+    for path in Path(RESULTS, "batches").glob("*"):
+        if path.stem not in BATCHES:
+            path.unlink()
     for batch in BATCHES.values():
         batch.write(Path(RESULTS, "batches"))
 

@@ -57,4 +57,4 @@ def failed(case: Block, reason: str, seconds: float) -> xr.Dataset:
 def split(dataset: xr.Dataset) -> tuple[xr.Dataset, xr.Dataset]:
     """Part a result: single numbers and histories, and all that belongs to snapshots; both keep the attributes."""
     fields = [name for name, variable in dataset.variables.items() if set(variable.dims) - {"sample"}]
-    return dataset.drop_vars(fields), dataset[fields].drop_vars(set(dataset.coords) - set(fields))
+    return dataset.drop_vars(fields), dataset[fields].drop_vars(set(dataset.coords) - set(fields), errors="ignore")
