@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import difflib
+import reprlib
 from collections.abc import Iterable
+from typing import Any
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import PydanticCustomError
@@ -26,9 +28,30 @@ class ConfigError(ValueError):
     """Bad input of a user; the message names source, field, value and what is allowed."""
 
 
+MAX_LINES = 20
+"""Most faults that are told at a time."""
+
+
+def shorten(text: str, length: int = 60) -> str:
+    """Text of at most `length` characters that prints in one line and changes no terminal; the rest is left out."""
+    plain = "".join(char if char.isprintable() else "?" for char in text[:length])
+    return plain if len(text) <= length else f"{plain}..."
+
+
+def show(value: Any) -> str:
+    """Value as people wrote it, about, in one short line, whatever it is."""
+    short = reprlib.Repr()
+    short.maxstring = short.maxother = short.maxlong = 60
+    short.maxlevel, short.maxdict, short.maxlist = 3, 6, 6
+    try:
+        return " ".join(short.repr(value).split())
+    except ValueError:
+        return "a number of thousands of digits"
+
+
 def hint(name: str, known: Iterable[str]) -> str:
     """Names that resemble a mistyped one, or all of them."""
-    known = list(known)
+    name, known = name[:100], list(known)
     short = {entry.rsplit(".", 1)[-1]: entry for entry in known}
     close = difflib.get_close_matches(name, [*known, *short], n=3)
     if close:
@@ -64,8 +87,9 @@ def describe(error: ValidationError, source: str, known: Iterable[str] = ()) -> 
     """
     known = list(known)
     lines = []
-    for report in error.errors(include_url=False):
-        field = ".".join(str(part) for part in report["loc"])
+    reports = error.errors(include_url=False)
+    for report in reports[:MAX_LINES]:
+        field = shorten(".".join(str(part) for part in report["loc"]), 100)
         value = report["input"]
         message = report["msg"]
         if report["type"] == "extra_forbidden":
@@ -74,6 +98,8 @@ def describe(error: ValidationError, source: str, known: Iterable[str] = ()) -> 
             message = f"must hold the fields of {report['ctx']['class_name']}{_allowed(report['ctx']['class_name'])}"
         message = _PLAIN.get(report["type"], message)
         bare = isinstance(value, (dict, Block)) or report["type"] == "missing"
-        shown = field + ("" if bare else f" = {value!r}")
+        shown = field + ("" if bare else f" = {show(value)}")
         lines.append(": ".join(part for part in (source, shown, message) if part))
+    if len(reports) > MAX_LINES:
+        lines.append(f"{source}: and {len(reports) - MAX_LINES} more")
     return ConfigError("\n".join(lines))

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
-from orthocut.params.block import Block, ConfigError, describe, hint
+from orthocut.params.block import Block, ConfigError, describe, hint, shorten, show
 from orthocut.params.dem import DemCompression, DemCutting, DemTension
+from orthocut.params.limits import faults
 from orthocut.params.mpm import MpmCutting
-from orthocut.params.text import read_yaml
+from orthocut.params.text import MAX_DEPTH, read_yaml
 
 KINDS: dict[str, type[Block]] = {
     model.model_fields["kind"].default: model for model in (MpmCutting, DemCutting, DemTension, DemCompression)
@@ -43,16 +45,29 @@ def resolve(kind: str, name: str, source: str) -> tuple[str, ...]:
     ConfigError
         If no field or several fields match.
     """
-    names = list(fields(KINDS[kind]))
-    if name in names:
-        return tuple(name.split("."))
-    matches = [candidate for candidate in names if candidate.endswith(f".{name}")]
+    matches = _matches(kind, name)
     if len(matches) == 1:
         return tuple(matches[0].split("."))
     if matches:
         raise ConfigError(f"{source}: {name}: several fields have this name ({', '.join(matches)})")
+    raise ConfigError(f"{source}: {shorten(name)}: {kind} has no such field; {hint(name, _names(kind))}")
 
-    raise ConfigError(f"{source}: {name}: {kind} has no such field; {hint(name, names)}")
+
+@cache
+def _names(kind: str) -> tuple[str, ...]:
+    return tuple(fields(KINDS[kind]))
+
+
+@lru_cache(maxsize=1000)
+def _matches(kind: str, name: str) -> tuple[str, ...]:
+    """Fields that a name stands for."""
+    names = _names(kind)
+    return (name,) if name in names else tuple(known for known in names if known.endswith(f".{name}"))
+
+
+@cache
+def _defaults(kind: str) -> Mapping[str, Any]:
+    return KINDS[kind]().model_dump(mode="json")
 
 
 def override(data: Mapping[str, Any], values: Mapping[str, Any], source: str) -> dict[str, Any]:
@@ -65,7 +80,7 @@ def override(data: Mapping[str, Any], values: Mapping[str, Any], source: str) ->
         for depth, parent in enumerate(parents, 1):
             inner = target.get(parent)
             if not isinstance(inner, Mapping | None):
-                raise ConfigError(f"{source}: {'.'.join(parents[:depth])} = {inner!r}: must hold fields")
+                raise ConfigError(f"{source}: {'.'.join(parents[:depth])} = {show(inner)}: must hold fields")
             target[parent] = {**(inner or {})}
             target = target[parent]
         target[leaf] = value
@@ -77,7 +92,7 @@ def case_kind(data: Mapping[str, Any], source: str) -> str:
     kind = data.get("kind")
     kind = ALIASES.get(kind, kind) if isinstance(kind, str) else kind
     if not isinstance(kind, str) or kind not in KINDS:
-        raise ConfigError(f"{source}: kind = {kind!r}: must be one of {', '.join(KINDS)}")
+        raise ConfigError(f"{source}: kind = {show(kind)}: must be one of {', '.join(KINDS)}")
     return kind
 
 
@@ -92,17 +107,23 @@ def validate(data: Mapping[str, Any], source: str = "case") -> Case:
     kind = case_kind(data, source)
     _check_names(data, source)
     try:
-        return KINDS[kind].model_validate(_merge(KINDS[kind]().model_dump(mode="json"), {**data, "kind": kind}))
+        case = KINDS[kind].model_validate(_merge(_defaults(kind), {**data, "kind": kind}))
     except ValidationError as error:
-        raise describe(error, source, fields(KINDS[kind])) from None
+        raise describe(error, source, _names(kind)) from None
+    found = faults(case)
+    if found:
+        raise ConfigError("\n".join(f"{source}: {fault}" for fault in found))
+    return case
 
 
-def _check_names(data: Mapping[Any, Any], source: str) -> None:
+def _check_names(data: Mapping[Any, Any], source: str, depth: int = 1) -> None:
+    if depth > MAX_DEPTH:
+        raise ConfigError(f"{source}: too many levels of fields in fields (allowed: up to {MAX_DEPTH})")
     for name, value in data.items():
         if not isinstance(name, str):
-            raise ConfigError(f"{source}: {name!r}: field names must be words")
+            raise ConfigError(f"{source}: {show(name)}: field names must be words")
         if isinstance(value, Mapping):
-            _check_names(value, f"{source}: {name}")
+            _check_names(value, f"{source}: {shorten(name)}", depth + 1)
 
 
 def _merge(defaults: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, Any]:

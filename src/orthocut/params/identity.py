@@ -16,7 +16,10 @@ _METHODS = ("mpm", "dem")
 _NUMBERS = ("kernels", "mpm", "dem", "experiments", "measure", "params")
 _PICTURES = ("figures", "theory", "params", "variables.py")
 _DATASETS = ("io", "variables.py")
-_INPUT_ONLY = ("__init__", "block", "case", "identity", "quantity", "schema", "study", "text", "units")
+_INPUT_ONLY = (
+    *("__init__", "block", "case", "identity", "limits", "quantity", "schema", "size", "study", "text", "units"),
+    "workflow",
+)
 _LIBRARIES = ("numpy", "numba", "llvmlite", "scipy")
 
 

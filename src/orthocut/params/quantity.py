@@ -5,9 +5,9 @@ A quantity is never a bare number: ``0.9 mm`` is accepted, ``0.0009`` is not, be
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import Any
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -15,9 +15,13 @@ from pydantic_core import PydanticCustomError, core_schema
 
 from orthocut.params.units import unit_of
 
-_FORM = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)(?P<unit>[^\d.].*?)?\s*", re.DOTALL)
+_FORM = re.compile(r"(?P<number>[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)(?P<unit>[^0-9.].*)?")
+MAX_LENGTH = 100
+"""Most characters of a quantity."""
+_NO_SIGN = 0.0  # added to minus zero, gives zero
 
 
+@lru_cache(maxsize=10_000)
 def convert(text: str, unit: str, hint: str = "") -> float:
     """Value of a text such as ``"25 MPa"`` in `unit`, to 15 significant digits.
 
@@ -36,7 +40,7 @@ def convert(text: str, unit: str, hint: str = "") -> float:
         If the text is not a number with a unit of the same dimensions.
     """
     hint = hint or unit
-    form = _FORM.fullmatch(text)
+    form = _FORM.fullmatch(text.strip()) if len(text) <= MAX_LENGTH else None
     if form is None:
         raise ValueError(f"is not a number with a unit, such as '1 {hint}'")
     if not (form["unit"] or "").strip():
@@ -48,7 +52,7 @@ def convert(text: str, unit: str, hint: str = "") -> float:
     wanted, needed = unit_of(unit)
     if dimensions != needed:
         raise ValueError(f"is not a quantity in {hint}")
-    return float(f"{float(form['number']) * scale / wanted:.15g}")
+    return float(f"{float(form['number']) * scale / wanted:.15g}") + _NO_SIGN
 
 
 @dataclass(frozen=True)
@@ -74,7 +78,7 @@ class Quantity:
         """Value in SI; raise `PydanticCustomError` naming the value and the allowed range."""
         allowed = f"allowed: {self.low} to {self.high}"
         if not isinstance(value, str):
-            plain = isinstance(value, (int, float)) and not isinstance(value, bool)
+            plain = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e15
             example = f"{value:g} {self.display or self.unit}" if plain else self.high
             raise PydanticCustomError(
                 "quantity_unit", "{why} ({allowed})", {"why": f"needs a unit, such as '{example}'", "allowed": allowed}
@@ -85,11 +89,17 @@ class Quantity:
             raise PydanticCustomError(
                 "quantity", "{why} ({allowed})", {"why": str(error), "allowed": allowed}
             ) from None
-        low, high = convert(self.low, self.unit), convert(self.high, self.unit)
-        slack = 1e-12 * max(abs(low), abs(high))
-        if not math.isfinite(number) or not low - slack <= number <= high + slack:
+        low, high = self._range
+        if not low <= number <= high:
             raise PydanticCustomError("quantity_range", "is out of range ({allowed})", {"allowed": allowed})
         return number
+
+    @cached_property
+    def _range(self) -> tuple[float, float]:
+        """Ends of the allowed range in SI, with room for rounding."""
+        low, high = convert(self.low, self.unit), convert(self.high, self.unit)
+        slack = 1e-12 * max(abs(low), abs(high))
+        return low - slack, high + slack
 
     def show(self, value: float) -> str:
         """Text for people, such as ``"0.9 mm"``; reading it back gives the same value."""
@@ -134,7 +144,7 @@ class Number:
             raise PydanticCustomError("number", "must be {name} ({allowed})", {"name": name, "allowed": allowed})
         if not self.low <= value <= self.high:
             raise PydanticCustomError("number_range", "is out of range ({allowed})", {"allowed": allowed})
-        return value if self.integer else float(value)
+        return value if self.integer else float(value) + _NO_SIGN
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
         return core_schema.no_info_plain_validator_function(self.validate)

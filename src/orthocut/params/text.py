@@ -1,32 +1,103 @@
-"""Read YAML as people mean it: ``1e-3`` is a number, and a field given twice is a mistake."""
+"""Read YAML as people mean it, and no more of YAML than studies need.
+
+A number is a decimal number, with or without exponent; ``010``, ``1:30``, ``yes`` and dates are words. A field given
+twice is a mistake. Tags are refused, and so is a text whose aliases stand for very much or for themselves.
+"""
 
 from __future__ import annotations
 
 import re
+import stat
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import yaml
+from yaml.nodes import MappingNode, Node, ScalarNode
 
-from orthocut.params.block import ConfigError
+from orthocut.params.block import ConfigError, shorten
+
+MAX_BYTES = 1_000_000
+"""Largest file."""
+MAX_DEPTH = 20
+"""Most levels of lists and maps in one another, aliases followed; a case has four inside the six of a study."""
+MAX_VALUES = 300_000
+"""Most keys and values, aliases counted by what they stand for."""
+
+_BINARY = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 
 
 class _Loader(yaml.SafeLoader):
-    """Loader of plain data with the numbers of YAML 1.2 and without repeated keys."""
+    """Loader of plain data that stops as soon as a text is too large, too deep or repeats a key."""
 
-    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Any, Any]:
-        """Build a mapping; complain about a key that stands there twice."""
+    yaml_implicit_resolvers: ClassVar[dict[str, list[tuple[str, re.Pattern[str]]]]] = {}
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._values = self._depth = self._deepest = 0
+        self._open: set[str] = set()
+        self._sizes: dict[str, tuple[int, int]] = {}
+
+    def compose_node(self, parent: Node | None, index: Any) -> Node:
+        """Build a node; complain about tags, aliases to themselves, too many values and too many levels."""
+        event = self.peek_event()
+        anchor, tag = event.anchor, getattr(event, "tag", None)
+        if tag is not None:
+            raise self._error(f"tag '{shorten(tag)}' is not allowed (allowed: plain values without tags)")
+        self._depth += 1
+        if isinstance(event, yaml.AliasEvent):
+            if anchor in self._open:
+                raise self._error(f"alias '*{shorten(anchor)}' stands for something that holds it")
+            values, levels = self._sizes.get(anchor, (1, 0))
+            self._grow(values, levels)
+            node = super().compose_node(parent, index)
+            self._depth -= 1
+            return node
+
+        before, outside = self._values, self._deepest
+        self._deepest = self._depth
+        self._grow(1, 0)
+        if anchor is not None:
+            self._open.add(anchor)
+        node = super().compose_node(parent, index)
+        if anchor is not None:
+            self._open.discard(anchor)
+            self._sizes[anchor] = self._values - before, self._deepest - self._depth
+        self._deepest = max(self._deepest, outside)
+        self._depth -= 1
+        return node
+
+    def compose_mapping_node(self, anchor: str | None) -> MappingNode:
+        """Build a map; complain about a key that stands there twice or is no word."""
+        node = super().compose_mapping_node(anchor)
         seen = set()
         for key, _ in node.value:
-            name = str(key.value)
-            if name in seen:
-                raise yaml.MarkedYAMLError(None, None, f"field '{name}' is given twice", key.start_mark)
-            seen.add(name)
-        return super().construct_mapping(node, deep)
+            if not isinstance(key, ScalarNode):
+                raise yaml.MarkedYAMLError(None, None, "a name of a field must be a word", key.start_mark)
+            if key.value in seen:
+                raise yaml.MarkedYAMLError(None, None, f"field '{shorten(key.value)}' is given twice", key.start_mark)
+            seen.add(key.value)
+        return node
+
+    def _grow(self, values: int, levels: int) -> None:
+        self._values += values
+        self._deepest = max(self._deepest, self._depth + levels)
+        if self._values > MAX_VALUES:
+            raise self._error(f"too many values, aliases counted in full (allowed: up to {MAX_VALUES})")
+        if self._deepest > MAX_DEPTH:
+            raise self._error(f"too many levels of lists and maps (allowed: up to {MAX_DEPTH})")
+
+    def _error(self, problem: str) -> yaml.MarkedYAMLError:
+        return yaml.MarkedYAMLError(None, None, problem, self.peek_event().start_mark)
 
 
-_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)[eE][-+]?\d+$")
-_Loader.add_implicit_resolver("tag:yaml.org,2002:float", _NUMBER, list("-+.0123456789"))
+for _tag, _form, _first in (
+    ("null", r"~|null|Null|NULL|$", ["~", "n", "N", ""]),
+    ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
+    ("int", r"[-+]?(0|[1-9][0-9]*)", list("-+0123456789")),
+    ("float", r"[-+]?([0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))([eE][-+]?[0-9]+)?", list("-+.0123456789")),
+    ("merge", "<<", ["<"]),
+):
+    _Loader.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(rf"(?:{_form})\Z"), _first)
 
 
 def parse_yaml(text: str, source: str) -> Any:
@@ -35,24 +106,40 @@ def parse_yaml(text: str, source: str) -> Any:
     Raises
     ------
     ConfigError
-        If the text is not valid; names the line.
+        If the text is not valid, or too large; names the line.
     """
+    found = _BINARY.search(text)
+    if found:
+        line = text.count("\n", 0, found.start()) + 1
+        raise ConfigError(f"{source}, line {line}: is not text (character {found[0]!r})")
     try:
         return yaml.load(text, Loader=_Loader)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         place = f", line {mark.line + 1}" if mark else ""
-        raise ConfigError(f"{source}{place}: {error.problem or 'is not valid YAML'}") from None
+        raise ConfigError(f"{source}{place}: {shorten(error.problem or 'is not valid YAML', 200)}") from None
     except (yaml.YAMLError, ValueError) as error:
-        raise ConfigError(f"{source}: is not valid YAML: {' '.join(str(error).split())}") from None
+        raise ConfigError(f"{source}: is not valid YAML: {shorten(' '.join(str(error).split()), 200)}") from None
 
 
 def read_yaml(path: Path) -> Any:
     """Content of a YAML file; `ConfigError` names the file and the line when it cannot be read."""
+    name = shorten(str(path), 200)
     try:
-        text = path.read_text(encoding="utf-8")
+        if not stat.S_ISREG(path.stat().st_mode):
+            raise ConfigError(f"{name}: cannot be read: is not a file")
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except ConfigError:
+        raise
     except OSError as error:
-        raise ConfigError(f"{path}: cannot be read: {error.strerror}") from None
+        raise ConfigError(f"{name}: cannot be read: {error.strerror}") from None
+    except ValueError:
+        raise ConfigError(f"{name!r}: cannot be read: is not the name of a file") from None
+    if len(content) > MAX_BYTES:
+        raise ConfigError(f"{name}: is too large (allowed: up to {MAX_BYTES // 1000} kB)")
+    try:
+        text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise ConfigError(f"{path}: cannot be read: is not text in UTF-8") from None
-    return parse_yaml(text, str(path))
+        raise ConfigError(f"{name}: cannot be read: is not text in UTF-8") from None
+    return parse_yaml(text, name)

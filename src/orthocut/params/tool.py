@@ -26,6 +26,6 @@ class Tool(Block):
     @model_validator(mode="after")
     def _wedge(self) -> Tool:
         wedge = 90.0 - (self.rake_angle + self.clearance_angle) * math.degrees(1.0)
-        if wedge < 5.0:
+        if wedge < 5.0 - 1e-9:
             raise fault(f"rake_angle and clearance_angle leave a wedge of {wedge:.3g} deg (allowed: 5 deg or more)")
         return self

@@ -25,7 +25,7 @@ UNITS: dict[str, tuple[float, Dimensions]] = {
 """Name to its value in SI units and its dimensions."""
 
 _SPELLINGS = {"µ": "u", "μ": "u", "°": "deg", "**": "^"}
-_FACTOR = re.compile(r"(?P<sign>\s*[*/]\s*|\s+|^)(?P<name>[a-zA-Z]+)(\^(?P<power>-?\d+))?")
+_FACTOR = re.compile(r"(?P<sign>\s*[*/]\s*|\s+|^)(?P<name>[a-zA-Z]+)(\^(?P<power>-?[1-9]))?(?![0-9])")
 
 
 @cache

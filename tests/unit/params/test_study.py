@@ -162,7 +162,7 @@ def test_a_study_is_bounded_before_it_is_expanded(tmp_path, monkeypatch):
         ("title: t\nsweeps: 3\nfigures: {}\n", "sweeps = 3: must map names to values"),
         (
             "title: t\nsweeps: {a: 3}\nfigures: {}\n",
-            "sweeps.a = 3: must hold the fields of Sweep (allowed: base, axes, replicates)",
+            "sweeps.a = 3: must hold the fields of Sweep (allowed: base, axes, replicates, snapshots)",
         ),
         ("title: t\nsweeps: {a: {base: {kind: mpm}}}\nfigures: {f: a}\n", "f = 'a': must be a list of values"),
     ],

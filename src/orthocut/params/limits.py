@@ -1,0 +1,94 @@
+"""What a case must keep to beyond the ranges of its fields: sizes that a machine can run and a packing can give.
+
+These checks only refuse; they change no number of a case that passes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from orthocut.params.size import particles, steps
+
+if TYPE_CHECKING:
+    from orthocut.params.case import Case
+    from orthocut.params.dem import DemCutting, Packing
+
+MAX_PARTICLES = 5_000_000
+"""Most material points or discs: some 40 GB of memory."""
+MAX_WORK = 1e15
+"""Most particles times steps: one to three years on a core."""
+MIN_CUT_STEPS = 500
+"""Fewest steps of a cut of glass: one for each row of its history."""
+MIN_GRAINS = 4
+"""Fewest of the largest discs that fit side by side into the width and the height of a packing."""
+_ROUNDING = 1e-9
+
+
+def faults(case: Case) -> list[str]:
+    """What is wrong with a case whose fields are all in range: field, value, what is allowed; empty if nothing is."""
+    return [*_grains(case), *_size(case)]
+
+
+def _grains(case: Case) -> Iterator[str]:
+    if case.kind.startswith("dem"):
+        yield from _vessel(case.packing)
+    if case.kind == "dem_cutting":
+        yield from _cut(case)
+
+
+def _vessel(packing: Packing) -> Iterator[str]:
+    least = MIN_GRAINS * 2 * packing.radius_min * packing.radius_ratio
+    for name in ("width", "height"):
+        size = getattr(packing, name)
+        if _less(size, least):
+            yield (
+                f"packing.{name} = {_mm(size)} holds too few discs side by side "
+                f"(allowed: {_mm(least)} or more, {MIN_GRAINS} of the largest)"
+            )
+
+
+def _cut(case: DemCutting) -> Iterator[str]:
+    grain, width = 2 * case.packing.radius_min, case.packing.width
+    if _less(case.cut_depth, grain):
+        yield f"cut_depth = {_mm(case.cut_depth)} is less than a grain (allowed: {_mm(grain)} or more)"
+    count = steps(case)
+    if _less(count, MIN_CUT_STEPS):
+        yield (
+            f"travel = {_mm(case.travel)} at cut_speed = {case.cut_speed:.4g} m/s takes {count:.0f} steps "
+            f"(allowed: {MIN_CUT_STEPS} or more)"
+        )
+    if case.grooves is None:
+        return
+
+    for name in ("width", "distance"):
+        size = getattr(case.grooves, name)
+        if _less(size, 0.5 * grain):
+            yield f"grooves.{name} = {_mm(size)} is less than half a grain (allowed: {_mm(0.5 * grain)} or more)"
+    taken = case.grooves.width + case.grooves.distance
+    if _less(width, taken):
+        yield (
+            f"grooves.width + grooves.distance = {_mm(taken)} leave no room for a groove "
+            f"(allowed: up to the width of the block, {_mm(width)})"
+        )
+
+
+def _size(case: Case) -> Iterator[str]:
+    count, work = particles(case), particles(case) * steps(case)
+    what, fields = (
+        ("material points", "numerics.points_per_depth, workpiece")
+        if case.kind == "mpm_cutting"
+        else ("discs", "packing.width, packing.height, packing.radius_min")
+    )
+    if count > MAX_PARTICLES:
+        yield f"{fields} give {count:.3g} {what} (allowed: up to {MAX_PARTICLES:.3g})"
+    elif work > MAX_WORK:
+        yield f"{count:.3g} {what} for {steps(case):.3g} steps = {work:.3g} (allowed: up to {MAX_WORK:.0e} together)"
+
+
+def _less(value: float, least: float) -> bool:
+    return value < least * (1 - _ROUNDING)
+
+
+def _mm(length: float) -> str:
+    return f"{length * 1e3:.4g} mm"

@@ -1,0 +1,39 @@
+"""Size of a case before it is run: particles and time steps. For limits and for predicted costs; never for results."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from orthocut.params.case import Case
+
+_SOLID_FRACTION = 0.9
+
+
+def particles(case: Case) -> float:
+    """Number of material points or, about, of discs."""
+    if case.kind == "mpm_cutting":
+        work = case.workpiece
+        return work.length_ratio * (1 + work.base_ratio) * case.numerics.points_per_depth**2
+    packing = case.packing
+    mean_square = packing.radius_min**2 * (1 + packing.radius_ratio + packing.radius_ratio**2) / 3
+    return _SOLID_FRACTION * packing.width * packing.height / (math.pi * mean_square)
+
+
+def steps(case: Case, strain: float = math.inf) -> float:
+    """Number of time steps.
+
+    Parameters
+    ----------
+    case : Case
+    strain : float
+        Axial strain at which a test of glass ends, if not before.
+    """
+    if case.kind == "mpm_cutting":
+        return case.steps
+    joint = case.joint
+    step = joint.time_step_factor * case.packing.radius_min * (math.pi * joint.density / joint.modulus) ** 0.5
+    if case.kind == "dem_cutting":
+        return case.travel / case.cut_speed / step
+    return min(case.strain_max, strain) * case.packing.height / (2 * case.grip_speed) / step
