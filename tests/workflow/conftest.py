@@ -1,6 +1,7 @@
 """A copy of the project with the smoke study run once, for all tests of the workflow."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -45,9 +46,35 @@ class Project:
             words[0]: int(words[1]) for words in map(str.split, table.splitlines()) if words[1:] and words[1].isdigit()
         }
 
+    def twin(self, folder, study):
+        """Return a copy, without results, that has a study called faults."""
+        project = copy_project(folder)
+        (project.root / "workflow" / "config" / "faults.yaml").write_text(study, encoding="utf-8")
+        return project
+
+    def missing(self, study="smoke"):
+        """Count the cases that a dry run would simulate."""
+        text = self.snakemake("--dry-run", study=study).stdout
+        found = re.search(r"^(\d+) cases to simulate", text, re.MULTILINE)
+        assert found, text
+        return int(found.group(1))
+
+    def orthocut(self, *arguments):
+        """Run the command line on the copied sources."""
+        return subprocess.run(
+            [sys.executable, "-c", "from orthocut.cli import app; app()", *arguments],
+            cwd=self.root,
+            env={**os.environ, "PYTHONPATH": str(self.root / "src"), "PYTHONDONTWRITEBYTECODE": "1"},
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+
 
 def copy_project(folder):
     """Copy what the workflow needs."""
+    folder.mkdir(parents=True, exist_ok=True)
     for name in ("src", "workflow", "profiles"):
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
     for name in ("Snakefile", "pyproject.toml", "constraints.txt"):
