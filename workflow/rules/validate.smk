@@ -1,0 +1,36 @@
+"""Compare with papers and other codes, and measure speed: on request only."""
+
+
+import sys
+
+
+rule validate:
+    output:
+        f"{RESULTS}/validation.xml",
+    log:
+        f"{RESULTS}/logs/validate.log",
+    conda:
+        "../envs/orthocut.yaml"
+    params:
+        sources=[digest_numbers("mpm"), digest_numbers("dem"), digest_pictures()],
+    shell:
+        "{sys.executable} -m pytest tests/validation --junitxml {output:q} > {log:q} 2>&1"
+
+
+rule step_cost:
+    output:
+        f"{RESULTS}/benchmarks/step_cost.jsonl",
+    log:
+        f"{RESULTS}/logs/step_cost.log",
+    threads: workflow.cores or 1
+    conda:
+        "../envs/orthocut.yaml"
+    params:
+        sources=[digest_numbers("mpm"), digest_numbers("dem")],
+    shell:
+        "{sys.executable} benchmarks/step_cost.py > {output:q} 2> {log:q}"
+
+
+rule benchmarks:
+    input:
+        rules.step_cost.output,
