@@ -30,7 +30,7 @@ SMALLEST = {
 """What to set to make a case of each kind take a moment and still pass through the whole solver."""
 
 
-def run_case(case: Case, progress: Progress | None = None) -> xarray.Dataset:
+def run_case(case: Case, progress: Progress | None = None, checkpoint=None, snapshots: int = 6) -> xarray.Dataset:
     """Simulate a case.
 
     Parameters

@@ -15,7 +15,7 @@ from orthocut.cost import estimate_seconds
 from orthocut.io.checkpoint import Checkpoint
 from orthocut.io.datasets import failed
 from orthocut.io.store import CHECKPOINT, Entry, Store
-from orthocut.measure.guard import CaseFailed
+from orthocut.params.block import CaseFailed
 from orthocut.params.case import validate
 from orthocut.params.identity import result_key
 from orthocut.run import run_case

@@ -13,6 +13,7 @@ import numpy as np
 from orthocut.dem.setup import overlapping_pairs
 from orthocut.kernels.dem.layout import ROW
 from orthocut.kernels.dem.settle import settle
+from orthocut.params.block import CaseFailed
 from orthocut.params.dem import Packing
 
 TOLERANCE = 0.01
@@ -22,7 +23,7 @@ EQUILIBRIUM = 8e-3
 _ROUNDS, _STEPS = 60, 20_000
 
 
-class PackingError(RuntimeError):
+class PackingError(CaseFailed):
     """A packing did not reach its target; the message says how far it came."""
 
 

@@ -49,6 +49,10 @@ def show(value: Any) -> str:
         return "a number of thousands of digits"
 
 
+class CaseFailed(RuntimeError):
+    """A case cannot be simulated because of its own numbers; the message says what was seen. It would fail again."""
+
+
 def hint(name: str, known: Iterable[str]) -> str:
     """Names that resemble a mistyped one, or all of them."""
     name, known = name[:100], list(known)
