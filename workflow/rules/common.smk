@@ -1,6 +1,7 @@
 """What the study asks for and what the store lacks. Stops before the DAG when the study is faulty."""
 
 import os
+import sys
 from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
@@ -71,3 +72,15 @@ def figures_of(figures):
     pictures = [f"{RESULTS}/figures/{figure}.{form}" for figure in figures for form in ("png", "svg")]
     tables = [f"{RESULTS}/tables/{figure}.{form}" for figure in figures for form in ("csv", "md")]
     return pictures + [path for path in tables if Path(path).stem in PLAN.tables]
+
+
+def minutes(wildcards, threads, attempt):
+    """Time limit of a batch: three times the prediction, and more at each attempt."""
+    batch = batch_of(wildcards)
+    predicted = max(batch.seconds / threads, max(job.seconds for job in batch.jobs))
+    return attempt * (10 + int(predicted / 20))
+
+
+def of_method(word):
+    """Figures that draw cases of a method."""
+    return [figure for figure, cases in PLAN.figures.items() if any(case.startswith(f"{word}-") for case in cases)]

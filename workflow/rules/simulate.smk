@@ -5,13 +5,6 @@ temporary; a case that is in the store is no part of the DAG.
 """
 
 
-def minutes(wildcards, threads, attempt):
-    """Time limit of a batch: three times the prediction, and more at each attempt."""
-    batch = batch_of(wildcards)
-    predicted = max(batch.seconds / threads, max(job.seconds for job in batch.jobs))
-    return attempt * (10 + int(predicted / 20))
-
-
 rule simulate:
     input:
         kernels=lambda wildcards: f"{RESULTS}/kernels/{batch_of(wildcards).method}.compiled",

@@ -2,13 +2,6 @@
 
 PAPERS = [figure for figure in PLAN.figures if figure.startswith(("nairn2015_", "yang2018_"))]
 SPECIMENS = [case for case, made in PLAN.cases.items() if made.kind in ("dem_tension", "dem_compression")]
-
-
-def of_method(word):
-    """Figures that draw cases of a method."""
-    return [figure for figure, cases in PLAN.figures.items() if any(case.startswith(f"{word}-") for case in cases)]
-
-
 TARGETS = {
     "paper": PAPERS,
     "mpm": of_method("mpm"),

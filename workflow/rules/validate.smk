@@ -1,9 +1,6 @@
 """Compare with papers and other codes, and measure speed: on request only."""
 
 
-import sys
-
-
 rule validate:
     output:
         f"{RESULTS}/validation.xml",
@@ -12,9 +9,10 @@ rule validate:
     conda:
         "../envs/orthocut.yaml"
     params:
+        python=sys.executable,
         sources=[digest_numbers("mpm"), digest_numbers("dem"), digest_pictures()],
     shell:
-        "{sys.executable} -m pytest tests/validation --junitxml {output:q} > {log:q} 2>&1"
+        "{params.python:q} -m pytest tests/validation --junitxml {output:q} > {log:q} 2>&1"
 
 
 rule step_cost:
@@ -22,13 +20,14 @@ rule step_cost:
         f"{RESULTS}/benchmarks/step_cost.jsonl",
     log:
         f"{RESULTS}/logs/step_cost.log",
-    threads: workflow.cores or 1
     conda:
         "../envs/orthocut.yaml"
+    threads: workflow.cores or 1
     params:
+        python=sys.executable,
         sources=[digest_numbers("mpm"), digest_numbers("dem")],
     shell:
-        "{sys.executable} benchmarks/step_cost.py > {output:q} 2> {log:q}"
+        "{params.python:q} benchmarks/step_cost.py > {output:q} 2> {log:q}"
 
 
 rule benchmarks:
