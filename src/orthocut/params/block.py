@@ -63,7 +63,12 @@ def hint(name: str, known: Iterable[str]) -> str:
     return f"allowed: {', '.join(known)}"
 
 
-_PLAIN = {"list_type": "must be a list of values", "dict_type": "must map names to values"}
+_PLAIN = {
+    "list_type": "must be a list of values",
+    "dict_type": "must map names to values",
+    "string_type": "must be words",
+    "missing": "is missing",
+}
 """Pydantic's type of a fault to words for people."""
 
 
@@ -93,7 +98,7 @@ def describe(error: ValidationError, source: str, known: Iterable[str] = ()) -> 
     lines = []
     reports = error.errors(include_url=False)
     for report in reports[:MAX_LINES]:
-        field = shorten(".".join(str(part) for part in report["loc"]), 100)
+        field = shorten(".".join(str(part) for part in report["loc"] if part != "[key]"), 100)
         value = report["input"]
         message = report["msg"]
         if report["type"] == "extra_forbidden":

@@ -50,7 +50,7 @@ def resolve(kind: str, name: str, source: str) -> tuple[str, ...]:
         return tuple(matches[0].split("."))
     if matches:
         raise ConfigError(f"{source}: {name}: several fields have this name ({', '.join(matches)})")
-    raise ConfigError(f"{source}: {shorten(name)}: {kind} has no such field; {hint(name, _names(kind))}")
+    raise ConfigError(f"{source}: {shorten(name) or '(nothing)'}: {kind} has no such field; {hint(name, _names(kind))}")
 
 
 @cache

@@ -9,11 +9,11 @@ from typing import Annotated, Any
 
 from pydantic import Field, ValidationError, model_validator
 
-from orthocut.params.block import Block, ConfigError, describe, fault, hint
-from orthocut.params.case import Case, case_kind, override, resolve, validate
+from orthocut.params.block import Block, ConfigError, describe, fault, hint, shorten, show
+from orthocut.params.case import KINDS, Case, case_kind, override, resolve, validate
 from orthocut.params.identity import case_id
 from orthocut.params.quantity import Number
-from orthocut.params.text import read_yaml
+from orthocut.params.text import Line, Name, read_yaml
 
 Values = dict[str, list[Any]]
 MAX_CASES = 100_000
@@ -34,10 +34,12 @@ class Axes(Block):
     def _equal(self) -> Axes:
         lengths = {name: len(values) for name, values in self.zip.items()}
         if len(set(lengths.values())) > 1:
-            raise fault(f"zip: lists differ in length ({lengths})")
+            raise fault(f"zip: lists differ in length ({show(lengths)})")
         for name, values in {**self.product, **self.zip}.items():
             if not values:
-                raise fault(f"axis {name} has no values (allowed: one or more)")
+                raise fault(f"axis {shorten(name)} has no values (allowed: one or more)")
+        if "list" in self.model_fields_set and not self.list:
+            raise fault("list has no sets of values (allowed: one or more)")
         return self
 
     def count(self) -> int:
@@ -74,7 +76,7 @@ class Sweep(Block):
 
     base: dict[str, Any]
     """Fields of the base case; must hold its kind."""
-    axes: Axes = Field(default_factory=lambda: Axes(list=[]))
+    axes: Axes = Field(default_factory=Axes)
     """What varies."""
     replicates: Annotated[int, Number(1, 1000, integer=True)] = 1
     """Random replicates of each point; replicate k of a packing with seed s has seed s + k."""
@@ -90,17 +92,15 @@ class Sweep(Block):
             Names the field, the value and what is allowed.
         """
         kind = case_kind(self.base, source)
+        if self.replicates > 1 and "packing" not in KINDS[kind].model_fields:
+            raise ConfigError(f"{source}: replicates = {self.replicates}: {kind} has nothing random (allowed: 1)")
         self.axes.check_names(kind, source)
         members = []
         for point in self.axes.points():
-            label = ", ".join(f"{name} {value}" for name, value in point.items())
+            label = ", ".join(f"{name} {_words(value)}" for name, value in point.items())
             data = override(self.base, point, source)
             case = validate(data, source)
             members.append((label, case))
-            if self.replicates > 1 and not hasattr(case, "packing"):
-                raise ConfigError(
-                    f"{source}: replicates = {self.replicates}: {case.kind} has nothing random (allowed: 1)"
-                )
             for k in range(1, self.replicates):
                 seed = case.packing.seed + k
                 twin = validate(override(data, {"packing.seed": seed}, source), source)
@@ -108,14 +108,19 @@ class Sweep(Block):
         return members
 
 
+def _words(value: Any) -> str:
+    """Value of an axis in a label."""
+    return shorten(" ".join(value.split())) if isinstance(value, str) else show(value)
+
+
 class Study(Block):
     """Named sweeps and, for each figure or table, the sweeps it draws."""
 
-    title: str
+    title: Line
     """One line for people."""
-    sweeps: dict[str, Sweep]
+    sweeps: dict[Name, Sweep]
     """Name to sweep."""
-    figures: dict[str, list[str]]
+    figures: dict[Name, list[str]]
     """Figure to the names of the sweeps that it draws; a figure of theory alone has none."""
 
     @model_validator(mode="after")
@@ -123,7 +128,7 @@ class Study(Block):
         for figure, names in self.figures.items():
             for name in names:
                 if name not in self.sweeps:
-                    raise fault(f"figures.{figure} = {name!r}: no such sweep; {hint(name, self.sweeps)}")
+                    raise fault(f"figures.{shorten(figure)} = {show(name)}: no such sweep; {hint(name, self.sweeps)}")
         if not self.sweeps and not self.figures:
             raise fault("sweeps and figures are both empty (allowed: one or more of either)")
         return self
@@ -136,7 +141,8 @@ class Study(Block):
             total += count
             if total > MAX_CASES:
                 raise fault(
-                    f"sweeps.{name}: has {count} cases, {total} with the sweeps before it (allowed: up to {MAX_CASES})"
+                    f"sweeps.{name}: has {_round(count)} cases, {_round(total)} with the sweeps before it "
+                    f"(allowed: up to {MAX_CASES})"
                 )
         return self
 
@@ -154,8 +160,15 @@ class Study(Block):
         labels: dict[str, str] = {}
         for name, sweep in self.sweeps.items():
             cases[name] = {}
+            words: dict[str, str] = {}
             for label, case in sweep.expand(f"{source}: sweeps.{name}"):
                 key = case_id(case)
+                if key in words:
+                    raise ConfigError(
+                        f"{source}: sweeps.{name}: '{label}' and '{words[key]}' are the same case "
+                        "(allowed: each case once in a sweep)"
+                    )
+                words[key] = label
                 cases[name][key] = case
                 labels.setdefault(key, f"{name}: {label}" if label else name)
         return cases, labels
@@ -167,6 +180,11 @@ class Study(Block):
     def labels(self, source: str = "study") -> dict[str, str]:
         """Case id to words for people."""
         return self.expand(source)[1]
+
+
+def _round(count: int) -> str:
+    """Whole number, in full unless it is very long."""
+    return str(count) if count < 10**30 else f"more than 10^{int(count.bit_length() * math.log10(2)) - 1}"
 
 
 def load_study(path: Path) -> Study:

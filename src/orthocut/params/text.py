@@ -9,12 +9,17 @@ from __future__ import annotations
 import re
 import stat
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import yaml
+from pydantic import AfterValidator, WithJsonSchema
+from yaml.composer import Composer
+from yaml.constructor import SafeConstructor
+from yaml.cyaml import CParser
 from yaml.nodes import MappingNode, Node, ScalarNode
+from yaml.resolver import Resolver
 
-from orthocut.params.block import ConfigError, shorten
+from orthocut.params.block import ConfigError, fault, shorten
 
 MAX_BYTES = 1_000_000
 """Largest file."""
@@ -23,16 +28,41 @@ MAX_DEPTH = 20
 MAX_VALUES = 300_000
 """Most keys and values, aliases counted by what they stand for."""
 
+_NAME = r"[A-Za-z][A-Za-z0-9_-]{0,63}"
 _BINARY = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 
 
-class _Loader(yaml.SafeLoader):
-    """Loader of plain data that stops as soon as a text is too large, too deep or repeats a key."""
+def _name(text: str) -> str:
+    if not re.fullmatch(_NAME, text):
+        raise fault("must be a name (allowed: a letter, then letters, digits, _ and -, 64 characters in all)")
+    return text
+
+
+def _line(text: str) -> str:
+    if not 0 < len(text) <= 200 or not text.isprintable():
+        raise fault("must be one line of words (allowed: 1 to 200 characters that can be printed)")
+    return text
+
+
+Name = Annotated[str, AfterValidator(_name), WithJsonSchema({"type": "string", "pattern": f"^{_NAME}$"})]
+"""Word that is safe in file names and on terminals."""
+Line = Annotated[str, AfterValidator(_line), WithJsonSchema({"type": "string", "minLength": 1, "maxLength": 200})]
+"""One line for people."""
+
+
+class _Loader(Composer, CParser, SafeConstructor, Resolver):
+    """Loader of plain data that stops as soon as a text is too large, too deep or repeats a key.
+
+    The parser is libyaml's, five times as fast as the one in Python; the tree is made here, node by node.
+    """
 
     yaml_implicit_resolvers: ClassVar[dict[str, list[tuple[str, re.Pattern[str]]]]] = {}
 
     def __init__(self, text: str) -> None:
-        super().__init__(text)
+        CParser.__init__(self, text)
+        Composer.__init__(self)
+        SafeConstructor.__init__(self)
+        Resolver.__init__(self)
         self._values = self._depth = self._deepest = 0
         self._open: set[str] = set()
         self._sizes: dict[str, tuple[int, int]] = {}
@@ -118,7 +148,9 @@ def parse_yaml(text: str, source: str) -> Any:
         mark = error.problem_mark or error.context_mark
         place = f", line {mark.line + 1}" if mark else ""
         raise ConfigError(f"{source}{place}: {shorten(error.problem or 'is not valid YAML', 200)}") from None
-    except (yaml.YAMLError, ValueError) as error:
+    except ValueError:
+        raise ConfigError(f"{source}: a number has thousands of digits") from None
+    except yaml.YAMLError as error:
         raise ConfigError(f"{source}: is not valid YAML: {shorten(' '.join(str(error).split()), 200)}") from None
 
 

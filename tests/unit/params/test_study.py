@@ -143,7 +143,7 @@ def test_a_study_is_bounded_before_it_is_expanded(tmp_path, monkeypatch):
     ("content", "words"),
     [
         ("title: t\nsweeps: {}\nfigures: {f: [a]}\n", "figures.f = 'a': no such sweep"),
-        ("title: t\nsweeps: {}\n", "figures: Field required"),
+        ("title: t\nsweeps: {}\n", "figures: is missing"),
         ("titel: t\nsweeps: {}\nfigures: {}\n", "titel = 't': no such field; did you mean title"),
         (
             "title: t\nsweeps: {a: {base: {}, axes: {zip: {cut_depth: [1 mm], cut_speed: []}}}}\nfigures: {}\n",
