@@ -186,7 +186,7 @@ def test_a_lost_or_broken_result_is_simulated_again_to_the_same_bits(finished, d
     ],
 )
 def test_targets(finished, target, rules):
-    text = finished.snakemake("--dry-run", "--forcerun", "figure", "table", "--", target).stdout
+    text = finished.snakemake(target, "--dry-run", "--forcerun", "figure", "table").stdout
     planned = {line.split()[0] for line in text.split("Job stats:")[1].split("total")[0].splitlines() if line.split()}
     assert planned & {"figure", "table"} == rules, text
 
