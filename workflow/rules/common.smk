@@ -1,6 +1,5 @@
 """What the study asks for and what the store lacks. Stops before the DAG when the study is faulty."""
 
-import os
 import sys
 from pathlib import Path
 
@@ -11,23 +10,24 @@ from orthocut.figures.registry import caption, dims
 from orthocut.io.store import Store
 from orthocut.params.block import ConfigError
 from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures, result_key
+from orthocut.params.workflow import WorkflowOptions
 from orthocut.plan import draws_fields, load_plan
 from orthocut.survey import read_batch, survey
 
-STUDY = Path(workflow.basedir, "workflow/config", f"{config.get('study', 'quick')}.yaml")
-RESULTS = config.get("results", "results")
-STORE = config.get("store", f"{RESULTS}/store")
-CORES = int(config.get("batch_cores", os.cpu_count()))
 try:
-    PLAN = load_plan(Path(config.get("study_file", STUDY)))
+    OPTIONS = WorkflowOptions.read(config)
+    if workflow.is_main_process:
+        OPTIONS.check_folders(Path.cwd())
+    PLAN = load_plan(OPTIONS.study_path(Path(workflow.basedir)))
 except ConfigError as error:
     raise WorkflowError(str(error)) from None
 
+RESULTS, STORE = OPTIONS.results, OPTIONS.store_path
 ATTEMPTS = Store(STORE).attempts()
 BATCHES, BATCH_OF = {}, {}
 if workflow.is_main_process:
     SURVEY = survey(PLAN, Store(STORE))
-    BATCHES = {batch.name: batch for batch in SURVEY.batches(CORES, float(config.get("batch_minutes", 10)))}
+    BATCHES = {batch.name: batch for batch in SURVEY.batches(OPTIONS.batch_cores, OPTIONS.batch_minutes)}
     BATCH_OF = {job.case_id: batch.name for batch in BATCHES.values() for job in batch.jobs}
     logger.info(SURVEY.summary(), extra={"cases": SURVEY.announcement(), "progress": f"{RESULTS}/progress"})
 

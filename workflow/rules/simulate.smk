@@ -15,7 +15,7 @@ rule simulate:
     priority: lambda wildcards: int(batch_of(wildcards).seconds)
     conda:
         "../envs/orthocut.yaml"
-    threads: lambda wildcards: min(len(batch_of(wildcards).jobs), CORES)
+    threads: lambda wildcards: min(len(batch_of(wildcards).jobs), OPTIONS.batch_cores)
     resources:
         mem_mb=lambda wildcards, threads, attempt: attempt * threads * batch_of(wildcards).memory_mb,
         runtime=minutes,
@@ -23,7 +23,7 @@ rule simulate:
         batch=f"{RESULTS}/batches/{{batch}}.json",
         events=f"{RESULTS}/progress/{{batch}}.jsonl",
         store=STORE,
-        cluster=config.get("cluster", "local"),
+        cluster=OPTIONS.cluster,
     script:
         "../scripts/simulate.py"
 

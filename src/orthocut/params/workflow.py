@@ -49,8 +49,8 @@ class WorkflowOptions(Block):
     """Where the workers of a batch run."""
     batch_cores: Annotated[int, Number(1, 4096, integer=True)] = os.cpu_count() or 1
     """Cores of one batch of short cases."""
-    batch_minutes: Annotated[float, Number(0.1, 10_000)] = 10.0
-    """Predicted run time of one batch [min]."""
+    batch_minutes: Annotated[float, Number(0, 10_000)] = 10.0
+    """Predicted run time of one batch [min]; 0 makes a batch of every case."""
 
     @model_validator(mode="after")
     def _one_study(self) -> WorkflowOptions:
