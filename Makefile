@@ -14,7 +14,7 @@ SHELL := bash
 PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
 	/^Installing collected/ {print "  unpacking"; fflush()} /^ *(ERROR|error)/ {print; fflush()}'
 
-.PHONY: help figures publish dry-run report test lint format config clean benchmark
+.PHONY: help figures import publish dry-run report test lint format config clean benchmark benchmark-workflow
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
@@ -36,6 +36,9 @@ figures: $(STAMP) ## run a study and draw its figures and tables into results/ (
 	@$(BIN)/snakemake --cores $(CORES) --config study=$(STUDY)
 	@echo "figures: results/figures, tables: results/tables, datasets: results/datasets"
 
+import: $(STAMP) ## take the published results into the store: figures are then drawn without simulations
+	@$(BIN)/orthocut store import results/published/store
+
 dry-run: $(STAMP) ## say what `make figures` would do, and why
 	@$(BIN)/snakemake --dry-run --config study=$(STUDY)
 
@@ -43,6 +46,8 @@ publish: figures ## copy some pictures and all tables of the study to results/pu
 	@mkdir -p results/published/figures results/published/tables
 	@cp $(PUBLISHED:%=results/figures/%.png) results/published/figures
 	@cp results/tables/* results/published/tables
+	@rm -rf results/published/store
+	@$(BIN)/orthocut store export results/published/store --study $(STUDY)
 
 report: figures ## one HTML page with all figures and tables: results/report.html
 	@$(BIN)/snakemake --config study=$(STUDY) --report results/report.html
@@ -67,6 +72,10 @@ config: $(STAMP) ## write the default values and the schema of studies from the 
 
 benchmark: $(STAMP) ## measure the cost of a step of each method for several sizes
 	@$(BIN)/python benchmarks/step_cost.py
+
+benchmark-workflow: $(STAMP) ## measure what the workflow costs beside the simulations, and run the fault matrix
+	@$(BIN)/python benchmarks/workflow.py
+	@$(BIN)/python benchmarks/faults.py
 
 clean: ## remove the environment and the results, except the published ones
 	rm -rf $(VENV) .snakemake
