@@ -22,7 +22,7 @@ rule step_cost:
         f"{RESULTS}/logs/step_cost.log",
     conda:
         "../envs/orthocut.yaml"
-    threads: workflow.cores or 1
+    threads: OPTIONS.batch_cores
     params:
         python=sys.executable,
         sources=[digest_numbers("mpm"), digest_numbers("dem")],
