@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from orthocut.cli.common import Json, guarded, print_json
-from orthocut.params.block import ConfigError
+from orthocut.params.block import ConfigError, shorten
 
 if TYPE_CHECKING:
     from orthocut.params.study import Study
@@ -28,28 +28,29 @@ StudyFile = Annotated[Path, typer.Argument(metavar="STUDY.yaml", help=f"A study 
 def list_studies(
     folder: Annotated[Path, typer.Argument(help="Folder with study files.")] = CONFIG, as_json: Json = False
 ) -> None:
-    """Name the studies in a folder: title, number of cases, figures."""
+    """Name the studies in a folder: title, number of cases, figures; faulty ones come last, with what is wrong."""
     from orthocut.params.study import load_study
 
     if not folder.is_dir():
         raise ConfigError(f"{folder}: is not a folder")
-    found = []
+    found, faults = [], []
     for path in sorted(folder.glob("*.yaml")):
-        if path.name != "default.yaml":
+        if path.name == "default.yaml":
+            continue
+        try:
             study = load_study(path)
-            found.append(
-                {
-                    "name": path.stem,
-                    "title": study.title,
-                    "cases": len({key for cases in study.cases(str(path)).values() for key in cases}),
-                    "figures": list(study.figures),
-                }
-            )
+            cases = {key for members in study.cases(str(path)).values() for key in members}
+        except ConfigError as error:
+            faults.append(str(error))
+            continue
+        found.append({"name": path.stem, "title": study.title, "cases": len(cases), "figures": list(study.figures)})
     if as_json:
         print_json({"studies": found})
-        return
-    for row in found:
-        typer.echo(f"{row['name']:<12} {row['cases']:>4} cases, {len(row['figures'])} figures   {row['title']}")
+    else:
+        for row in found:
+            typer.echo(f"{row['name']:<12} {row['cases']:>4} cases, {len(row['figures'])} figures   {row['title']}")
+    if faults:
+        raise ConfigError("\n".join(faults))
 
 
 @app.command("expand", epilog="Example:\n\northocut study expand quick --json")
@@ -97,9 +98,12 @@ def status(
 
 
 def study_path(file: Path) -> Path:
-    """File of a study that is given by its file or by its name."""
+    """File of a study that is given by its file or by its name; `ConfigError` if it cannot be either."""
     named = CONFIG / f"{file}.yaml"
-    return named if not file.suffix and not file.exists() and named.exists() else file
+    try:
+        return named if not file.suffix and not file.exists() and named.exists() else file
+    except OSError as error:
+        raise ConfigError(f"{shorten(str(file))}: cannot be read: {error.strerror}") from None
 
 
 def _cases(file: Path) -> tuple[list[dict[str, Any]], Study]:
