@@ -14,6 +14,14 @@ include: "workflow/rules/validate.smk"
 include: "workflow/rules/targets.smk"
 
 
+# A few seconds each: not worth a job of a cluster.
+localrules:
+    collect,
+    figure,
+    table,
+    run_times,
+
+
 rule all:
     default_target: True
     input:

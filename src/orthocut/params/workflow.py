@@ -47,8 +47,10 @@ class WorkflowOptions(Block):
     """Folder of the results of cases, if they shall be elsewhere, such as shared by several studies."""
     cluster: Literal["local", "slurm"] = "local"
     """Where the workers of a batch run."""
-    batch_cores: Annotated[int, Number(1, 4096, integer=True)] = os.cpu_count() or 1
-    """Cores of one batch of short cases."""
+    batch_cores: Annotated[int, Number(1, 4096, integer=True)] = int(
+        os.environ.get("SLURM_CPUS_PER_TASK") or os.cpu_count() or 1
+    )
+    """Cores of one batch of short cases; in a Slurm job, by default those of the job."""
     batch_minutes: Annotated[float, Number(0, 10_000)] = 10.0
     """Predicted run time of one batch [min]; 0 makes a batch of every case."""
 
