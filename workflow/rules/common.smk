@@ -7,6 +7,7 @@ from snakemake.exceptions import WorkflowError
 from snakemake.logging import logger
 
 from orthocut.figures.registry import caption, dims
+from orthocut.io.files import hold
 from orthocut.io.store import Store
 from orthocut.params.block import ConfigError
 from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures, result_key
@@ -33,6 +34,10 @@ if workflow.is_main_process:
 
 
 onstart:
+    try:
+        LOCK = hold(Path(RESULTS, ".lock"))
+    except BlockingIOError as error:
+        raise WorkflowError(f"{RESULTS}: {error.strerror}: wait until that workflow ends") from None
     for path in Path(RESULTS, "batches").glob("*"):
         if path.stem not in BATCHES:
             path.unlink()

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import errno
+import fcntl
 import os
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import IO
+
+_ROOM = 1 << 16  # bytes that a disk with room for a result has left
 
 
 @contextmanager
@@ -36,8 +42,46 @@ def replacing(path: str | Path) -> Iterator[Path]:
         os.replace(temporary, path)
         with suppress(OSError):  # some file systems cannot flush a folder
             _flush(path.parent, os.O_RDONLY)
+    except (RuntimeError, OSError) as error:  # netCDF's own words for a full disk are "HDF error"
+        if shutil.disk_usage(path.parent).free < _ROOM:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path)) from error
+        raise
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def hold(path: str | Path) -> IO[str]:
+    """Lock a file for as long as this process lives, however it ends.
+
+    Parameters
+    ----------
+    path : str or Path
+        File that stands for what is locked; it is made, and stays.
+
+    Returns
+    -------
+    file
+        Keep it: the lock ends when it is closed.
+
+    Raises
+    ------
+    BlockingIOError
+        If another process holds the lock; the message says which.
+    """
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    file = open(path, "a+", encoding="utf-8")  # noqa: SIM115
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        file.seek(0)
+        holder = file.read().strip()
+        file.close()
+        raise BlockingIOError(errno.EAGAIN, f"in use by {holder or 'another process'}", str(path)) from None
+    file.truncate(0)
+    file.write(f"process {os.getpid()} on {os.uname().nodename}\n")
+    file.flush()
+    return file
 
 
 def write_text(text: str, path: str | Path) -> Path:
