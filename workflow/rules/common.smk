@@ -62,9 +62,9 @@ def missing_of(cases):
 
 
 def members_of(cases):
-    """Names of results; one that failed before and is tried again carries the number of attempts."""
-    keys = [result_key(PLAN.cases[case]) for case in cases]
-    return [f"{key}#{ATTEMPTS[key]}" if key in ATTEMPTS else key for key in keys]
+    """Names of results, each with its number of snapshots, and of failed attempts before it."""
+    keys = {case: result_key(PLAN.cases[case]) for case in cases}
+    return [f"{key}#{PLAN.snapshots[case]}#{ATTEMPTS.get(key, 0)}" for case, key in keys.items()]
 
 
 def dataset_of(figure):
