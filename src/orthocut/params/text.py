@@ -25,7 +25,7 @@ MAX_BYTES = 1_000_000
 """Largest file."""
 MAX_DEPTH = 20
 """Most levels of lists and maps in one another, aliases followed; a case has four inside the six of a study."""
-MAX_VALUES = 300_000
+MAX_VALUES = 100_000
 """Most keys and values, aliases counted by what they stand for."""
 
 _NAME = r"[A-Za-z][A-Za-z0-9_-]{0,63}"
