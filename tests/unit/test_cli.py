@@ -13,9 +13,11 @@ from typer.testing import CliRunner
 
 from orthocut import run as run_module
 from orthocut.cli import app
-from orthocut.io.datasets import build
+from orthocut.io.datasets import build, failed
 from orthocut.io.netcdf import read
+from orthocut.io.store import Store
 from orthocut.measure.guard import Diverged
+from orthocut.params.case import validate
 
 ROOT = Path(__file__).parents[2]
 VERBS = [
@@ -249,17 +251,22 @@ def test_study_expand_and_status(simulated, tmp_path):
     (tmp_path / "s.yaml").write_text(STUDY)
     report = json.loads(call("study", "expand", "s.yaml", "--json").stdout)
     assert [case["sweeps"] for case in report["cases"]] == [["a", "b"], ["a"]]
-    first = report["cases"][0]["case_id"]
-    (tmp_path / "results" / "runs").mkdir(parents=True)
-    assert call("run", "mpm", "--output", f"results/runs/{first}.nc").exit_code == 0
     status = json.loads(call("study", "status", "s.yaml", "--json").stdout)
-    assert status["counts"] == {"done": 1, "out of date": 0, "missing": 1}
-    with xr.open_dataset(f"results/runs/{first}.nc") as dataset:
-        stale = dataset.load().assign_attrs(source_digest="old")
-    stale.to_netcdf(f"results/runs/{first}.nc")
+    assert status["counts"] == {"done": 0, "failed": 0, "stale": 0, "missing": 2}
+    first = validate(report["cases"][0]["case"])
+    Store("results/store").put(first, failed(first, "it blew up", 0.1), 0, 1.0)
     status = json.loads(call("study", "status", "s.yaml", "--json").stdout)
-    assert status["counts"] == {"done": 0, "out of date": 1, "missing": 1}
-    assert "out of date" in call("study", "status", "s.yaml").stdout
+    assert status["counts"] == {"done": 0, "failed": 1, "stale": 0, "missing": 1}
+    assert "it blew up" in call("study", "status", "s.yaml").stdout
+
+
+def test_study_list_goes_on_after_a_faulty_study(simulated, tmp_path):
+    (tmp_path / "s.yaml").write_text(STUDY)
+    (tmp_path / "a.yaml").write_text("title: 3\n")
+    done = call("study", "list", tmp_path)
+    assert done.exit_code == 2
+    assert done.stdout.startswith("s  ")
+    assert "a.yaml: title = 3: must be words" in done.stderr
 
 
 def test_study_list(simulated, tmp_path):
