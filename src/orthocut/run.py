@@ -14,6 +14,8 @@ from orthocut.params.case import Case, load
 if TYPE_CHECKING:
     import xarray
 
+    from orthocut.io.checkpoint import Checkpoint
+
 Progress = Callable[[float], None]
 
 SMALLEST = {
@@ -32,7 +34,9 @@ SMALLEST = {
 """What to set to make a case of each kind take a moment and still pass through the whole solver."""
 
 
-def run_case(case: Case, progress: Progress | None = None, checkpoint=None, snapshots: int = 6) -> xarray.Dataset:
+def run_case(
+    case: Case, progress: Progress | None = None, checkpoint: Checkpoint | None = None, snapshots: int = 6
+) -> xarray.Dataset:
     """Simulate a case.
 
     Parameters
@@ -41,6 +45,11 @@ def run_case(case: Case, progress: Progress | None = None, checkpoint=None, snap
         As `orthocut.params.case.load` or `validate` return it.
     progress : callable, optional
         Called now and then with the fraction that is done, 0 to 1.
+    checkpoint : Checkpoint, optional
+        File that the run goes on from if it holds a state, and leaves its state in now and then. The result has the
+        same bits with and without.
+    snapshots : int
+        Number of snapshots of a cut; tests of specimens have two, unless 0 are wanted. No other number depends on it.
 
     Returns
     -------
@@ -50,13 +59,15 @@ def run_case(case: Case, progress: Progress | None = None, checkpoint=None, snap
 
     Raises
     ------
-    RuntimeError
-        If the simulation diverges; the message says when, where and what to change.
+    CaseFailed
+        If the simulation diverges or a packing cannot be made; the message says when, where and what to change.
     """
     experiment = importlib.import_module(f"orthocut.experiments.{case.kind}")
+    guard = importlib.import_module("orthocut.measure.guard")
     start = time.perf_counter()
-    dataset = experiment.simulate(case, progress or _ignore)
-    dataset.attrs.setdefault("wall_time_s", time.perf_counter() - start)
+    dataset = experiment.simulate(case, progress or _ignore, checkpoint, snapshots)
+    guard.check_finite(dataset)
+    dataset.attrs["wall_time_s"] = checkpoint.seconds if checkpoint else time.perf_counter() - start
     return dataset
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -136,3 +137,21 @@ class Scene(NamedTuple):
     def speeds(self) -> np.ndarray:
         """Velocities of the discs, shape (n_discs, 3) [m/s, rad/s]; a view."""
         return self.velocity.reshape(-1, 4)[:, :3]
+
+    def freeze(self) -> dict[str, np.ndarray]:
+        """All arrays by name; views."""
+        return dict(_arrays(self))
+
+    def thaw(self, frozen: Mapping[str, np.ndarray]) -> None:
+        """Take over what `freeze` of a scene of the same case returned."""
+        for name, values in _arrays(self):
+            np.copyto(values, frozen[name])
+
+
+def _arrays(group: tuple, prefix: str = "") -> Iterator[tuple[str, np.ndarray]]:
+    """Names and arrays of a named group and of the groups in it."""
+    for name, value in zip(group._fields, group, strict=True):
+        if isinstance(value, np.ndarray):
+            yield prefix + name, value
+        elif hasattr(value, "_fields"):
+            yield from _arrays(value, f"{prefix}{name}.")

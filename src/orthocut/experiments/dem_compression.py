@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import time
-
 import xarray as xr
 
 from orthocut.dem.packing import PackedDiscs, pack
 from orthocut.dem.setup import build, wall
 from orthocut.dem.state import Scene
 from orthocut.experiments.dem_specimen import Progress, specimen_dataset
+from orthocut.io.checkpoint import Checkpoint
 from orthocut.kernels.dem.layout import WALL_SUM_Y
 from orthocut.params.dem import DemCompression
 
@@ -40,11 +39,11 @@ def read_platens(scene: Scene) -> float:
     return total
 
 
-def simulate(case: DemCompression, progress: Progress) -> xr.Dataset:
-    """Crush a specimen; see `orthocut.variables` for what the dataset holds."""
-    began = time.perf_counter()
-    packed = pack(case.packing)
-    scene = make_scene(case, packed)
-    return specimen_dataset(
-        case, "Unconfined compression of bonded discs", packed, scene, -1, read_platens, progress, began
-    )
+def simulate(
+    case: DemCompression, progress: Progress, checkpoint: Checkpoint | None = None, snapshots: int = 2
+) -> xr.Dataset:
+    """Crush a specimen; see `orthocut.variables` for what the dataset holds. Snapshots are start and end."""
+    discs = pack(case.packing)
+    scene = make_scene(case, discs)
+    title = "Unconfined compression of bonded discs"
+    return specimen_dataset(case, title, discs, scene, -1, read_platens, progress, checkpoint, snapshots)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import time
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,8 +17,9 @@ import xarray as xr
 from orthocut.dem.packing import PackedDiscs, pack
 from orthocut.dem.setup import build, wall
 from orthocut.dem.state import Scene
-from orthocut.experiments.dem_run import closure, crack_data, energy_data, packing_data, proceed, timing
+from orthocut.experiments.dem_run import closure, energy_data, field_data, packing_data, proceed, timing
 from orthocut.experiments.dem_specimen import Progress
+from orthocut.io.checkpoint import Checkpoint, packed, unpacked
 from orthocut.io.datasets import build as build_dataset
 from orthocut.kernels.dem.layout import TIP_X, WALL_PEAK_X, WALL_PEAK_Y, WALL_SUM_X, WALL_SUM_Y
 from orthocut.measure.dem_cracks import count_cracks, cracks
@@ -27,8 +29,6 @@ from orthocut.params.dem import DemCutting
 
 SAMPLES = 500
 """Intervals of the history; forces are means over all steps of an interval."""
-SNAPSHOTS = 5
-"""Snapshots, the first before the cut, the last at its end."""
 
 
 class Sample(NamedTuple):
@@ -98,55 +98,96 @@ def read_tool(scene: Scene, steps: int) -> tuple[float, float]:
     return float(cutting), float(thrust)
 
 
-def simulate(case: DemCutting, progress: Progress) -> xr.Dataset:
-    """Cut a block; see `orthocut.variables` for what the dataset holds."""
-    began, advancing = time.perf_counter(), 0.0
-    packed = pack(case.packing)
-    scene = make_scene(case, packed)
+class Progressed(NamedTuple):
+    """What a run has gathered so far."""
+
+    samples: list[Sample]
+    snapshots: list[Snapshot]
+    advancing: float
+    """CPU time of the steps [s]."""
+
+
+def simulate(
+    case: DemCutting, progress: Progress, checkpoint: Checkpoint | None = None, snapshots: int = 6
+) -> xr.Dataset:
+    """Cut a block; see `orthocut.variables` for what the dataset holds.
+
+    Parameters
+    ----------
+    case : DemCutting
+    progress : callable
+        Receives the fraction done.
+    checkpoint : Checkpoint, optional
+        Where the run goes on from, and leaves its state now and then.
+    snapshots : int
+        Snapshots to take, evenly spaced: the first before the cut, the last at its end.
+    """
+    discs = pack(case.packing)
+    scene = make_scene(case, discs)
     proceed(scene, 0)
     steps = math.ceil(case.travel / case.cut_speed / scene.time_step)
     ends = [steps * (k + 1) // SAMPLES for k in range(SAMPLES)]
     tip_start = float(scene.walls.rows[0, TIP_X])
     start = energies(scene)
-    samples: list[Sample] = []
-    snapshots = [Snapshot(0.0, tip_start, scene.places.copy(), forces(scene).intact)]
+    samples, shots, advancing = _restore(scene, checkpoint) or Progressed([], [_shoot(scene)], 0.0)
 
-    for k, end in enumerate(ends):
-        ran = end - int(scene.clock[0])
+    for k in range(len(samples), SAMPLES):
+        ran = ends[k] - int(scene.clock[0])
         resumed = time.thread_time()
         proceed(scene, ran)
         advancing += time.thread_time() - resumed
         tip = float(scene.walls.rows[0, TIP_X])
-        found = forces(scene)
-        samples.append(
-            Sample(
-                scene.time,
-                tip_start - tip,
-                tip,
-                *read_tool(scene, ran),
-                *count_cracks(scene),
-                energies(scene, found.energy),
-            )
-        )
-        if (k + 1) * (SNAPSHOTS - 1) // SAMPLES == len(snapshots):
-            snapshots.append(Snapshot(scene.time, tip, scene.places.copy(), found.intact))
+        balance = energies(scene)
+        samples.append(Sample(scene.time, tip_start - tip, tip, *read_tool(scene, ran), *count_cracks(scene), balance))
+        if (k + 1) * (snapshots - 1) // SAMPLES == len(shots):
+            shots.append(_shoot(scene))
         progress((k + 1) / SAMPLES)
+        if checkpoint:
+            checkpoint.offer(partial(_state, scene, Progressed(samples, shots, advancing)))
 
-    data = _data(case, packed, scene, samples, snapshots, start)
+    data = _data(case, discs, scene, samples, start)
+    if snapshots:
+        data |= _fields(scene, shots)
     dataset = build_dataset(case, "Orthogonal cut of bonded discs", data, {"time": data.pop("time")})
-    dataset.attrs.update(timing(time.perf_counter() - began, advancing, scene))
+    dataset.attrs.update(timing(advancing, scene))
     return dataset
+
+
+def _shoot(scene: Scene) -> Snapshot:
+    return Snapshot(scene.time, float(scene.walls.rows[0, TIP_X]), scene.places.copy(), forces(scene).intact)
+
+
+def _state(scene: Scene, done: Progressed) -> dict[str, np.ndarray]:
+    """All that a run needs to go on."""
+    shots = {name: np.array([getattr(shot, name) for shot in done.snapshots]) for name in Snapshot._fields}
+    samples = np.array([[*sample[:-1], *sample.energies] for sample in done.samples])
+    numbers = {"samples": samples, "advancing": np.array(done.advancing)}
+    return numbers | packed("scene", scene.freeze()) | packed("shot", shots)
+
+
+def _restore(scene: Scene, checkpoint: Checkpoint | None) -> Progressed | None:
+    """Bring a scene to the last checkpoint, if there is one; return what was gathered until then."""
+    saved = checkpoint.restore() if checkpoint else None
+    if saved is None:
+        return None
+    scene.thaw(unpacked("scene", saved))
+    shots = unpacked("shot", saved)
+    last = len(Sample._fields) - 1
+    return Progressed(
+        [Sample(*row[:last], Energies(*row[last:])) for row in saved["samples"].tolist()],
+        [Snapshot(*shot) for shot in zip(*(shots[name] for name in Snapshot._fields), strict=True)],
+        float(saved["advancing"]),
+    )
 
 
 def _data(
     case: DemCutting,
-    packed: PackedDiscs,
+    discs: PackedDiscs,
     scene: Scene,
     samples: list[Sample],
-    snapshots: list[Snapshot],
     start: Energies,
 ) -> dict[str, tuple[tuple[str, ...], Any]]:
-    """Histories, results, snapshots, cracks."""
+    """Histories and results."""
     column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
     history = {**column, **energy_data([s.energies for s in samples], start)}
     cutting, thrust = block_mean(column["force_cutting"]), block_mean(column["force_thrust"])
@@ -167,11 +208,17 @@ def _data(
         "cracks_tension_total": ((), tension),
         "cracks_shear_total": ((), shear),
         "energy_closure": ((), closure(samples[-1].energies, start)),
+        **packing_data(discs, scene),
+    }
+
+
+def _fields(scene: Scene, snapshots: list[Snapshot]) -> dict[str, tuple[tuple[str, ...], Any]]:
+    """Snapshots, discs, joints and cracks."""
+    return {
         "time_snapshot": (("snapshot",), [s.time for s in snapshots]),
         "tool_tip_snapshot": (("snapshot",), [s.tool_tip for s in snapshots]),
         "disc_x": (("snapshot", "disc"), [s.places[:, 0] for s in snapshots]),
         "disc_y": (("snapshot", "disc"), [s.places[:, 1] for s in snapshots]),
         "bond_intact": (("snapshot", "bond"), [s.intact for s in snapshots]),
-        **packing_data(packed, scene),
-        **crack_data(scene),
+        **field_data(scene),
     }

@@ -50,7 +50,7 @@ def closure(last: Energies, start: Energies) -> float:
 
 
 def packing_data(packed: PackedDiscs, scene: Scene) -> dict[str, tuple[tuple[str, ...], Any]]:
-    """What the packing reached, and the radii and joints of the scene."""
+    """What the packing reached."""
     return {
         "disc_count": ((), len(packed.x)),
         "bond_count": ((), len(scene.joints.first)),
@@ -58,31 +58,30 @@ def packing_data(packed: PackedDiscs, scene: Scene) -> dict[str, tuple[tuple[str
         "porosity": ((), packed.porosity),
         "coordination": ((), packed.coordination),
         "floaters": ((), packed.floaters),
-        "disc_radius": (("disc",), scene.radius),
-        "bond_first": (("bond",), (scene.joints.first // ROW).astype(np.int32)),
-        "bond_second": (("bond",), (scene.joints.second // ROW).astype(np.int32)),
     }
 
 
-def crack_data(scene: Scene) -> dict[str, tuple[tuple[str, ...], Any]]:
-    """All cracks, along the dimension ``crack``."""
-    return {name: (("crack",), values) for name, values in cracks(scene)._asdict().items()}
+def field_data(scene: Scene) -> dict[str, tuple[tuple[str, ...], Any]]:
+    """What belongs to snapshots: radii, joints, and all cracks along the dimension ``crack``."""
+    return {
+        "disc_radius": (("disc",), scene.radius),
+        "bond_first": (("bond",), (scene.joints.first // ROW).astype(np.int32)),
+        "bond_second": (("bond",), (scene.joints.second // ROW).astype(np.int32)),
+        **{name: (("crack",), values) for name, values in cracks(scene)._asdict().items()},
+    }
 
 
-def timing(seconds: float, advancing: float, scene: Scene) -> Mapping[str, float]:
+def timing(advancing: float, scene: Scene) -> Mapping[str, float]:
     """Attributes that tell the cost of a run: they differ between repeats and so are no variables.
 
     Parameters
     ----------
-    seconds : float
-        Wall time of the whole run, packing and compilation included [s].
     advancing : float
         CPU time of the steps alone [s].
     scene : Scene
     """
     bond_steps = max(int(scene.clock[0]), 1) * max(len(scene.joints.first), 1)
     return {
-        "wall_time_s": seconds,
         "particles": len(scene.places),
         "steps": int(scene.clock[0]),
         "time_step_s": scene.time_step,

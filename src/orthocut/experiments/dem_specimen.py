@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +12,8 @@ import xarray as xr
 
 from orthocut.dem.packing import PackedDiscs
 from orthocut.dem.state import Scene
-from orthocut.experiments.dem_run import closure, crack_data, energy_data, packing_data, proceed, timing
+from orthocut.experiments.dem_run import closure, energy_data, field_data, packing_data, proceed, timing
+from orthocut.io.checkpoint import Checkpoint, packed, unpacked
 from orthocut.io.datasets import build as build_dataset
 from orthocut.measure.dem_cracks import count_cracks
 from orthocut.measure.dem_energy import Energies, energies, forces
@@ -43,14 +45,53 @@ class Sample(NamedTuple):
     energies: Energies
 
 
+@dataclass
+class Loading:
+    """What a test has gathered so far."""
+
+    samples: list[Sample] = field(default_factory=list)
+    peak: Sample | None = None
+    """Sample of the largest stress, even if dropped from the samples."""
+    per_sample: int = READINGS
+    """Readings in an interval."""
+    strain: float = 0.0
+    advancing: float = 0.0
+    """CPU time of the steps [s]."""
+
+    def freeze(self) -> dict[str, np.ndarray]:
+        """Everything, as arrays."""
+        rows = [[*sample[:-1], *sample.energies] for sample in [self.peak, *self.samples]]
+        return {"rows": np.array(rows), "numbers": np.array([self.per_sample, self.strain, self.advancing])}
+
+    @classmethod
+    def thaw(cls, frozen: Mapping[str, np.ndarray]) -> Loading:
+        """Return what `freeze` took."""
+        last = len(Sample._fields) - 1
+        peak, *samples = (Sample(*row[:last], Energies(*row[last:])) for row in frozen["rows"].tolist())
+        per_sample, strain, advancing = frozen["numbers"].tolist()
+        return cls(samples, peak, int(per_sample), strain, advancing)
+
+    def add(self, sample: Sample, sign: int) -> None:
+        """Add a sample."""
+        self.samples.append(sample)
+        if self.peak is None or sign * sample.stress_axial > sign * self.peak.stress_axial:
+            self.peak = sample
+
+    def thin(self) -> None:
+        """When there are too many samples, drop every other one and double the interval."""
+        if len(self.samples) == SAMPLES:
+            self.samples = self.samples[1::2]
+            self.per_sample *= 2
+
+
 def load_specimen(
     case: Test,
-    packed: PackedDiscs,
     scene: Scene,
     sign: int,
     grip_force: Callable[[Scene], float],
     progress: Progress,
-) -> tuple[list[Sample], Sample, np.ndarray, np.ndarray, float, Energies]:
+    checkpoint: Checkpoint | None,
+) -> tuple[Loading, np.ndarray]:
     """Load until the stress has dropped to the stated fraction of its peak, or to the largest strain.
 
     Parameters
@@ -59,74 +100,77 @@ def load_specimen(
         1 in tension, -1 in compression.
     grip_force : callable
         Reads the sum over steps of the pulling force on both ends since the last call, over two [N/m].
+    checkpoint : Checkpoint, optional
+        Where the run goes on from, and leaves its state now and then.
 
     Returns
     -------
-    samples, sample of the largest stress (even if dropped from the samples), places at the start, fraction of intact
-    elements at the end, CPU seconds in the solver, energies at the start
+    what was gathered, fraction of intact elements at the end
     """
     width, height = case.packing.width, case.packing.height
     initial = scene.places.copy()
     middle = np.abs(initial[:, 1] - 0.5 * height) < 0.25 * height
     rate = 2 * case.grip_speed / height
-    proceed(scene, 0)
     reading = max(1, round(STRAIN_INTERVAL / rate / scene.time_step / READINGS))
-    per_sample = READINGS
-    advancing = 0.0
-    samples: list[Sample] = []
-    peak: Sample | None = None
-    start = energies(scene)
+    loading = _restore(scene, checkpoint) or Loading()
 
-    strain = 0.0
-    while strain < case.strain_max:
+    while loading.strain < case.strain_max:
         stresses = []
-        for _ in range(per_sample):
+        for _ in range(loading.per_sample):
             began = time.thread_time()
             proceed(scene, reading)
-            advancing += time.thread_time() - began
+            loading.advancing += time.thread_time() - began
             found = forces(scene)
             y = scene.places[:, 1]
             stresses.append(stress_axial(found, y, 0.25 * height, 0.75 * height, width))
-        strain = rate * scene.time
-        axial, lateral = strains(initial, scene.places, middle)
-        grip = grip_force(scene) / (per_sample * reading) / width
-        stress = float(np.mean(stresses))
+        loading.strain = rate * scene.time
         sample = Sample(
             scene.time,
-            sign * strain,
-            axial,
-            lateral,
-            stress,
-            grip,
+            sign * loading.strain,
+            *strains(initial, scene.places, middle),
+            float(np.mean(stresses)),
+            grip_force(scene) / (loading.per_sample * reading) / width,
             *count_cracks(scene),
             energies(scene, found.energy),
         )
-        samples.append(sample)
-        if peak is None or sign * stress > sign * peak.stress_axial:
-            peak = sample
-        progress(min(strain / case.strain_max, 1.0))
+        loading.add(sample, sign)
+        progress(min(loading.strain / case.strain_max, 1.0))
         cracked = sample.cracks_tension + sample.cracks_shear > 0
-        if cracked and sign * stress < case.drop_fraction * sign * peak.stress_axial:
+        if cracked and sign * sample.stress_axial < case.drop_fraction * sign * loading.peak.stress_axial:
             break
-        if len(samples) == SAMPLES:
-            samples = samples[1::2]
-            per_sample *= 2
+        loading.thin()
+        if checkpoint:
+            checkpoint.offer(lambda: packed("scene", scene.freeze()) | packed("loading", loading.freeze()))
     progress(1.0)
-    return samples, peak, initial, found.intact, advancing, start
+    return loading, forces(scene).intact
+
+
+def _restore(scene: Scene, checkpoint: Checkpoint | None) -> Loading | None:
+    """Bring a scene to the last checkpoint, if there is one; return what was gathered until then."""
+    saved = checkpoint.restore() if checkpoint else None
+    if saved is None:
+        return None
+    scene.thaw(unpacked("scene", saved))
+    return Loading.thaw(unpacked("loading", saved))
 
 
 def specimen_dataset(
     case: Test,
     title: str,
-    packed: PackedDiscs,
+    discs: PackedDiscs,
     scene: Scene,
     sign: int,
     grip_force: Callable[[Scene], float],
     progress: Progress,
-    began: float,
+    checkpoint: Checkpoint | None,
+    snapshots: int,
 ) -> xr.Dataset:
-    """Load a specimen and return histories, results, discs at start and end, cracks and energies."""
-    samples, peak, initial, intact, advancing, start = load_specimen(case, packed, scene, sign, grip_force, progress)
+    """Load a specimen and return histories, results, energies and, if snapshots are wanted, discs and cracks."""
+    initial = scene.places.copy()
+    proceed(scene, 0)
+    start = energies(scene)
+    done, intact = load_specimen(case, scene, sign, grip_force, progress, checkpoint)
+    samples = done.samples
     column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
     loading = sign * column["stress_axial"]
     modulus, poisson = elastic_constants(loading, column["strain_gauge"], column["strain_lateral"])
@@ -138,18 +182,21 @@ def specimen_dataset(
     data |= {
         "modulus_young": ((), modulus),
         "ratio_poisson": ((), poisson),
-        "strength_ultimate": ((), sign * peak.stress_axial),
-        "strain_peak": ((), peak.strain_gauge),
+        "strength_ultimate": ((), sign * done.peak.stress_axial),
+        "strain_peak": ((), done.peak.strain_gauge),
         "cracks_tension_total": ((), tension),
         "cracks_shear_total": ((), shear),
         "energy_closure": ((), closure(samples[-1].energies, start)),
-        "time_snapshot": (("snapshot",), [0.0, scene.time]),
-        "disc_x": (("snapshot", "disc"), [initial[:, 0], scene.places[:, 0]]),
-        "disc_y": (("snapshot", "disc"), [initial[:, 1], scene.places[:, 1]]),
-        "bond_intact": (("snapshot", "bond"), [np.ones_like(intact), intact]),
-        **packing_data(packed, scene),
-        **crack_data(scene),
+        **packing_data(discs, scene),
     }
+    if snapshots:
+        data |= {
+            "time_snapshot": (("snapshot",), [0.0, scene.time]),
+            "disc_x": (("snapshot", "disc"), [initial[:, 0], scene.places[:, 0]]),
+            "disc_y": (("snapshot", "disc"), [initial[:, 1], scene.places[:, 1]]),
+            "bond_intact": (("snapshot", "bond"), [np.ones_like(intact), intact]),
+            **field_data(scene),
+        }
     dataset = build_dataset(case, title, data, {"time": data.pop("time")})
-    dataset.attrs.update(timing(time.perf_counter() - began, advancing, scene))
+    dataset.attrs.update(timing(done.advancing, scene))
     return dataset

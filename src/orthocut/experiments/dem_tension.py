@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import xarray as xr
 
@@ -11,6 +9,7 @@ from orthocut.dem.packing import PackedDiscs, pack
 from orthocut.dem.setup import build
 from orthocut.dem.state import Scene
 from orthocut.experiments.dem_specimen import Progress, specimen_dataset
+from orthocut.io.checkpoint import Checkpoint
 from orthocut.params.dem import DemTension
 
 BOTTOM, TOP = 0, 1
@@ -41,9 +40,11 @@ def read_grips(scene: Scene) -> float:
     return total
 
 
-def simulate(case: DemTension, progress: Progress) -> xr.Dataset:
-    """Pull a specimen apart; see `orthocut.variables` for what the dataset holds."""
-    began = time.perf_counter()
-    packed = pack(case.packing)
-    scene = make_scene(case, packed)
-    return specimen_dataset(case, "Uniaxial tension of bonded discs", packed, scene, 1, read_grips, progress, began)
+def simulate(
+    case: DemTension, progress: Progress, checkpoint: Checkpoint | None = None, snapshots: int = 2
+) -> xr.Dataset:
+    """Pull a specimen apart; see `orthocut.variables` for what the dataset holds. Snapshots are start and end."""
+    discs = pack(case.packing)
+    scene = make_scene(case, discs)
+    title = "Uniaxial tension of bonded discs"
+    return specimen_dataset(case, title, discs, scene, 1, read_grips, progress, checkpoint, snapshots)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import xarray as xr
 
+from orthocut.io.checkpoint import Checkpoint, packed, unpacked
 from orthocut.io.datasets import build
 from orthocut.kernels.mpm import interface, step
 from orthocut.measure.guard import Diverged
@@ -19,8 +20,6 @@ from orthocut.params.mpm import MpmCutting
 
 SAMPLES = 500
 """Output intervals of a run."""
-SNAPSHOTS = 6
-"""Snapshots of a run, evenly spaced; the last one at its end."""
 CLOSURE_LIMIT = 0.05
 """Share of the tool's work that may remain unaccounted for after a travel of one depth of cut; the run stops beyond."""
 TOUCHING_CELLS = 1.5
@@ -44,7 +43,12 @@ _ENERGIES = {
 }
 
 
-def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fraction: None) -> xr.Dataset:
+def simulate(
+    case: MpmCutting,
+    progress: Callable[[float], None] = lambda fraction: None,
+    checkpoint: Checkpoint | None = None,
+    snapshots: int = 6,
+) -> xr.Dataset:
     """Run a cut.
 
     Parameters
@@ -53,6 +57,10 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
         The case.
     progress : callable
         Receives the fraction done.
+    checkpoint : Checkpoint, optional
+        Where the run goes on from, and leaves its state now and then.
+    snapshots : int
+        Snapshots to take, evenly spaced, the last one at the end.
 
     Returns
     -------
@@ -69,10 +77,9 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
     frame = state.frame
     ends = [case.steps * sample // SAMPLES for sample in range(SAMPLES + 1)]
     face = state.totals[step.TIP]
-    histories: dict[str, list[float]] = {}
-    snapshots = []
-    shots = {round(SAMPLES * k / SNAPSHOTS) for k in range(1, SNAPSHOTS + 1)}
-    for sample in range(1, SAMPLES + 1):
+    histories, shots = _restore(solver, checkpoint)
+    wanted = {round(SAMPLES * k / snapshots) for k in range(1, snapshots + 1)}
+    for sample in range(1 + len(histories.get("time", ())), SAMPLES + 1):
         before = state.totals.copy()
         steps = ends[sample] - ends[sample - 1]
         solver.advance(steps)
@@ -80,15 +87,19 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
         _check(solver, record, case)
         for name, value in record.items():
             histories.setdefault(name, []).append(value)
-        if sample in shots:
-            snapshots.append(snapshot(state))
+        if sample in wanted:
+            for name, (_, values) in snapshot(state).items():
+                shots.setdefault(name, []).append(values)
         progress(sample / SAMPLES)
+        if checkpoint:
+            checkpoint.offer(lambda: _state(solver, histories, shots))
     arrays = {name: np.array(values) for name, values in histories.items()}
     data = {name: (("sample",), values) for name, values in arrays.items()}
     data |= {name: ((), value) for name, value in _results(case, solver, arrays).items()}
-    for name, (dims, _) in snapshots[0].items():
-        data[name] = (("snapshot", *dims), np.stack([shot[name][1] for shot in snapshots]))
-    data["point_half_width"] = ((), 0.25 * frame.cell)
+    if snapshots:
+        for name, (dims, _) in snapshot(state).items():
+            data[name] = (("snapshot", *dims), np.stack(shots[name]))
+        data["point_half_width"] = ((), 0.25 * frame.cell)
     dataset = build(case, "Orthogonal cut with material points", data, {"time": data.pop("time")})
     dataset.attrs |= {
         "particles": state.point_count,
@@ -97,6 +108,27 @@ def simulate(case: MpmCutting, progress: Callable[[float], None] = lambda fracti
         "cell_m": frame.cell,
     }
     return dataset
+
+
+Histories = dict[str, list[float]]
+Shots = dict[str, list[np.ndarray]]
+
+
+def _state(solver: Solver, histories: Histories, shots: Shots) -> dict[str, np.ndarray]:
+    """All that a run needs to go on."""
+    columns = {name: np.array(values) for name, values in histories.items()}
+    frames = {name: np.stack(values) for name, values in shots.items()}
+    return packed("solver", solver.freeze()) | packed("history", columns) | packed("shot", frames)
+
+
+def _restore(solver: Solver, checkpoint: Checkpoint | None) -> tuple[Histories, Shots]:
+    """Bring a solver to the last checkpoint, if there is one; return the histories and snapshots until then."""
+    saved = checkpoint.restore() if checkpoint else None
+    if saved is None:
+        return {}, {}
+    solver.thaw(unpacked("solver", saved))
+    histories = {name: values.tolist() for name, values in unpacked("history", saved).items()}
+    return histories, {name: list(values) for name, values in unpacked("shot", saved).items()}
 
 
 def _sample(solver: Solver, before: np.ndarray, interval: float, face: float) -> dict[str, float]:

@@ -35,8 +35,14 @@ class Checkpoint:
         self, path: Path, key: str, every: float = INTERVAL, clock: Callable[[], float] = time.monotonic
     ) -> None:
         self.path, self.key, self.every, self.clock = Path(path), key, every, clock
-        self._last = clock()
+        self._begun = self._last = clock()
+        self._earlier = 0.0
         self._warned = False
+
+    @property
+    def seconds(self) -> float:
+        """Run time so far, with that of the runs before the last checkpoint [s]."""
+        return self._earlier + self.clock() - self._begun
 
     def restore(self) -> dict[str, np.ndarray] | None:
         """State of the last checkpoint; None if there is none, or if it is broken or of another result."""
@@ -51,6 +57,7 @@ class Checkpoint:
         if str(state.pop("key", "")) != self.key:
             self._set_aside("it belongs to another result")
             return None
+        self._earlier = float(state.pop("seconds"))
         return state
 
     def offer(self, make: Callable[[], Mapping[str, np.ndarray]]) -> bool:
@@ -59,7 +66,7 @@ class Checkpoint:
             return False
         try:
             with replacing(self.path) as temporary, open(temporary, "wb") as file:
-                np.savez(file, key=self.key, **make())
+                np.savez(file, key=self.key, seconds=self.seconds, **make())
         except OSError as error:
             if not self._warned:
                 warnings.warn(f"{self.path}: no checkpoint: {error.strerror}; the run goes on", stacklevel=2)
@@ -68,6 +75,11 @@ class Checkpoint:
         finally:
             self._last = self.clock()
         return True
+
+    @property
+    def resumed(self) -> bool:
+        """Whether the run goes on from an earlier one."""
+        return self._earlier > 0
 
     def remove(self) -> None:
         """Remove the file when the result is there."""
@@ -80,3 +92,13 @@ class Checkpoint:
         except OSError:
             moved = self.path
         warnings.warn(f"{moved}: not used: {why}; the run starts anew", stacklevel=3)
+
+
+def packed(prefix: str, arrays: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Arrays under names that begin with a prefix, to stand beside others in a checkpoint."""
+    return {f"{prefix}/{name}": values for name, values in arrays.items()}
+
+
+def unpacked(prefix: str, state: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Return what `packed` packed under a prefix."""
+    return {name.removeprefix(f"{prefix}/"): state[name] for name in state if name.startswith(f"{prefix}/")}

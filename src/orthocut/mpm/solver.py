@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from orthocut.kernels.mpm import interface, layout, points, step
@@ -76,6 +78,24 @@ class Solver:
             self._space,
             self._mass,
         )
+
+    def freeze(self) -> dict[str, np.ndarray]:
+        """Everything that changes from step to step, by name; views, except for the index of the current grid."""
+        state = self.state
+        return {
+            "points": state.points,
+            "interface": state.interface,
+            "totals": state.totals,
+            "grids": self._grids,
+            "extents": self._extents,
+            "current": np.array(self._current),
+        }
+
+    def thaw(self, frozen: Mapping[str, np.ndarray]) -> None:
+        """Take over what `freeze` of a solver of the same case returned."""
+        for name, values in self.freeze().items():
+            np.copyto(values, frozen[name])
+        self._current = int(frozen["current"])
 
     def energies(self) -> tuple[float, float, float]:
         """Elastic energy, plastic work and kinetic energy of the points [J/m]."""
