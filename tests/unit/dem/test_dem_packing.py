@@ -63,4 +63,4 @@ def test_description_counts_contacts():
 
 def test_vessel_too_small_for_two_discs_is_refused():
     with pytest.raises(PackingError, match="fewer than two discs"):
-        pack(packing(width="10 um", height="10 um"))
+        pack(packing().model_copy(update={"width": 10e-6, "height": 10e-6}))
