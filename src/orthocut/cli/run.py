@@ -50,19 +50,26 @@ def run(
 ) -> None:
     """Simulate one case, write it to a netCDF file and print its results.
 
-    The file is written whole at the end, or not at all. A file of the same case is replaced, any other is not.
+    The file is written whole at the end, or not at all. A file of the same case is replaced, any other is not. A run of
+    more than a minute that is interrupted goes on where it was when the same command is given again.
     """
     from orthocut.params.case import load, load_raw
 
     checked = load(case, parse_settings(settings or [], load_raw(case)["kind"]))
     path = _check_output(output, checked, force)
 
+    from orthocut.io.checkpoint import Checkpoint
     from orthocut.io.netcdf import write
+    from orthocut.params.identity import result_key
     from orthocut.run import run_case
 
+    checkpoint = Checkpoint(path.with_name(f".{path.name}.checkpoint.npz"), result_key(checked))
+    if checkpoint.path.exists() and not quiet:
+        typer.echo(f"going on from {checkpoint.path}", err=True)
     with progress_bar(path.name, quiet or as_json) as progress:
-        dataset = run_case(checked, progress)
+        dataset = run_case(checked, progress, checkpoint)
         write(dataset, path)
+    checkpoint.remove()
     results = summary(dataset)
     if as_json:
         print_json({**results, "output": str(path)})
