@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from orthocut.figures.registry import FIGURES, WITHOUT_RUNS, dims, module
-from orthocut.params.block import ConfigError, hint
+from orthocut.params.block import ConfigError, hint, show
 from orthocut.params.case import KINDS, Case
 from orthocut.params.study import Study, load_study
 
@@ -45,20 +45,7 @@ def load_plan(path: Path) -> Plan:
     """
     study = load_study(path)
     sweeps, labels = study.expand(str(path))
-    for figure, names in study.figures.items():
-        if figure not in FIGURES:
-            raise ConfigError(f"{path}: figures.{figure}: no such figure; {hint(figure, FIGURES)}")
-        if bool(names) == (figure in WITHOUT_RUNS):
-            need = "no sweeps: it draws theory alone" if names else "one sweep or more"
-            raise ConfigError(f"{path}: figures.{figure} = {names}: this figure needs {need}")
-        method = METHODS.get(figure.split("_")[0], "")
-        for name in names:
-            kind = next(iter(sweeps[name].values())).kind
-            if not kind.startswith(method):
-                allowed = ", ".join(known for known in KINDS if known.startswith(method))
-                raise ConfigError(
-                    f"{path}: figures.{figure} = {names}: {name} is a sweep of {kind} (allowed: sweeps of {allowed})"
-                )
+    check_figures(study, sweeps, str(path))
     cases = {case_id: case for members in sweeps.values() for case_id, case in members.items()}
     return Plan(
         title=study.title,
@@ -70,6 +57,25 @@ def load_plan(path: Path) -> Plan:
         },
         snapshots=dict.fromkeys(cases, 0) | _snapshots(study, sweeps),
     )
+
+
+def check_figures(study: Study, sweeps: dict[str, dict[str, Case]], source: str) -> None:
+    """Raise `ConfigError` if a figure does not exist, or cannot draw the sweeps that the study gives it."""
+    for figure, names in study.figures.items():
+        if figure not in FIGURES:
+            raise ConfigError(f"{source}: figures.{figure}: no such figure; {hint(figure, FIGURES)}")
+        if bool(names) == (figure in WITHOUT_RUNS):
+            need = "no sweeps: it draws theory alone" if names else "one sweep or more"
+            raise ConfigError(f"{source}: figures.{figure} = {show(names)}: this figure needs {need}")
+        method = METHODS.get(figure.split("_")[0], "")
+        for name in names:
+            kind = next(iter(sweeps[name].values())).kind
+            if not kind.startswith(method):
+                allowed = ", ".join(known for known in KINDS if known.startswith(method))
+                raise ConfigError(
+                    f"{source}: figures.{figure} = {show(names)}: {name} is a sweep of {kind} "
+                    f"(allowed: sweeps of {allowed})"
+                )
 
 
 def draws_fields(figure: str) -> bool:

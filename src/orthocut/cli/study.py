@@ -80,7 +80,10 @@ def status(
     from orthocut.plan import load_plan
     from orthocut.survey import as_rows, survey
 
-    found = survey(load_plan(study_path(file)), Store(root))
+    plan = load_plan(study_path(file))
+    if root.exists() and not root.is_dir():
+        raise ConfigError(f"--store {root}: is not a folder (allowed: the folder of a store, or a new one)")
+    found = survey(plan, Store(root))
     rows, counts, cores = as_rows(found), found.counts, os.cpu_count() or 1
     if as_json:
         totals = {"seconds_left_one_core": found.seconds_left, "cores": cores}
@@ -109,10 +112,12 @@ def study_path(file: Path) -> Path:
 def _cases(file: Path) -> tuple[list[dict[str, Any]], Study]:
     """One row a case, each case once, in the order of the study."""
     from orthocut.params.study import load_study
+    from orthocut.plan import check_figures
 
     path = study_path(file)
     study = load_study(path)
     sweeps, labels = study.expand(str(path))
+    check_figures(study, sweeps, str(path))
     rows: dict[str, dict[str, Any]] = {}
     for sweep, cases in sweeps.items():
         for key, case in cases.items():
