@@ -44,7 +44,7 @@ def simulated(monkeypatch, tmp_path):
     """Replace the simulation by one that returns its inputs at once; return the cases it was given."""
     seen = []
 
-    def simulate(case, progress=None):
+    def simulate(case, progress=None, checkpoint=None):
         seen.append(case)
         scalars = {"force_cutting_mean": ((), case.cut_depth * 1e7), "energy_closure": ((), math.nan)}
         dataset = build(
@@ -185,7 +185,7 @@ def test_unknown_options_exit_with_2():
     ],
 )
 def test_failures_leave_no_file(monkeypatch, tmp_path, error, code, words):
-    def fails(case, progress=None):
+    def fails(case, progress=None, checkpoint=None):
         raise error
 
     monkeypatch.setattr(run_module, "run_case", fails)
