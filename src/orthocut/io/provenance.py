@@ -33,9 +33,14 @@ def _git_commit() -> str:
     return done.stdout.strip()
 
 
+@cache
+def _versions() -> str:
+    packages = ("orthocut", "numpy", "numba", "llvmlite", "scipy", "xarray")
+    return ", ".join([f"python {python_version()}", *(f"{name} {version(name)}" for name in packages)])
+
+
 def provenance(case: Block) -> dict[str, str]:
     """Global attributes that let a reader repeat the run."""
-    packages = ("orthocut", "numpy", "numba", "llvmlite", "scipy", "xarray")
     return {
         "Conventions": "CF-1.11",
         "kind": case.kind,
@@ -43,6 +48,6 @@ def provenance(case: Block) -> dict[str, str]:
         "case": canonical(case),
         "source_digest": digest_numbers(case.kind),
         "git_commit": _git_commit(),
-        "versions": ", ".join([f"python {python_version()}", *(f"{name} {version(name)}" for name in packages)]),
+        "versions": _versions(),
         "references": _REFERENCES[case.kind.split("_")[0]],
     }
