@@ -96,10 +96,9 @@ class Quantity:
 
     @cached_property
     def _range(self) -> tuple[float, float]:
-        """Ends of the allowed range in SI, with room for rounding."""
+        """Ends of the allowed range in SI, with room for rounding; none at zero."""
         low, high = convert(self.low, self.unit), convert(self.high, self.unit)
-        slack = 1e-12 * max(abs(low), abs(high))
-        return low - slack, high + slack
+        return low - 1e-12 * abs(low), high + 1e-12 * abs(high)
 
     def show(self, value: float) -> str:
         """Text for people, such as ``"0.9 mm"``; reading it back gives the same value."""

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from orthocut.params.block import ConfigError
 from orthocut.params.case import validate
+from orthocut.params.identity import case_id
 from orthocut.params.quantity import Number, Quantity, convert
 
 
@@ -85,6 +86,18 @@ def test_limits_of_whole_numbers_are_exact():
 def test_ends_of_the_range_are_allowed():
     assert mpm(cut_depth="20 mm").cut_depth == 0.02
     assert Number(0.0, 1.5).validate(1.5) == 1.5
+
+
+@pytest.mark.parametrize("text", ["-1e-30 deg", "-2e-11 deg", "-1e-300 rad"])
+def test_zero_is_an_exact_end(text):
+    with pytest.raises(ConfigError, match=r"is out of range \(allowed: 0 deg to 45 deg\)"):
+        mpm(tool={"clearance_angle": text})
+
+
+@pytest.mark.parametrize("zero", ["-0 deg", "0.0 rad", "-0e5 mrad"])
+def test_zero_has_no_sign(zero):
+    plain = mpm(tool={"clearance_angle": "0 deg", "rake_angle": "0 deg", "friction": 0})
+    assert case_id(mpm(tool={"clearance_angle": zero, "rake_angle": zero, "friction": -0.0})) == case_id(plain)
 
 
 @given(st.floats(1e-5, 2e-2))
