@@ -11,7 +11,7 @@ from pathlib import Path
 
 DAEMONS = ("munged", "slurmctld", "slurmd")
 SITE = Path("/etc/slurm/slurm.conf")
-CPUS = 4
+CPUS = 6
 
 CONFIGURATION = """\
 ClusterName=ci
