@@ -18,7 +18,7 @@ from orthocut.params.identity import canonical, result_key
 from orthocut.plan import Plan
 
 STATES = ("done", "failed", "stale", "missing")
-MOST_CASES = 500
+MOST_CASES = 2000
 """Cases of one batch."""
 
 

@@ -126,7 +126,7 @@ def run_batch(
     with _cluster(cluster, workers, memory_mb) as running, Client(running) as client:
         events.tell("dashboard", address=client.dashboard_link)
         futures = {
-            client.submit(simulate_job, job, store, events, key=job.case_id, priority=-rank, pure=False): job
+            client.submit(_simulate_alone, job, store, events, key=job.case_id, priority=-rank, pure=False): job
             for rank, job in enumerate(batch.jobs)
         }
         for future in as_completed(futures):
@@ -139,6 +139,14 @@ def run_batch(
     if lost:
         raise Interrupted(f"{len(lost)} of {len(batch.jobs)} cases could not be run: {'; '.join(lost)}")
     return entries
+
+
+def _simulate_alone(job: Job, store: Store, events: Events) -> Entry:
+    """Simulate a case in a worker. Without the setting, xarray asks the scheduler for a lock at each access to a file."""
+    import dask
+
+    with dask.config.set(scheduler="synchronous"):
+        return simulate_job(job, store, events)
 
 
 def _why(future: distributed.Future) -> str:
