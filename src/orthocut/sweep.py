@@ -142,7 +142,7 @@ def run_batch(
 
 
 def _simulate_alone(job: Job, store: Store, events: Events) -> Entry:
-    """Simulate a case in a worker. Without the setting, xarray asks the scheduler for a lock at each access to a file."""
+    """Simulate a case in a worker, where xarray would ask the scheduler for a lock at each access to a file."""
     import dask
 
     with dask.config.set(scheduler="synchronous"):
