@@ -10,6 +10,7 @@ include: "workflow/rules/prepare.smk"
 include: "workflow/rules/simulate.smk"
 include: "workflow/rules/collect.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/animate.smk"
 include: "workflow/rules/validate.smk"
 include: "workflow/rules/targets.smk"
 
@@ -28,3 +29,4 @@ rule all:
         rules.runs.input,
         rules.figures.input,
         rules.tables.input,
+        rules.animations.input,

@@ -34,6 +34,11 @@ class Plan:
         """Figures that come with a table."""
         return [figure for figure in self.figures if hasattr(module(figure), "tabulate")]
 
+    @property
+    def animations(self) -> list[str]:
+        """Figures that come with an animation."""
+        return [figure for figure in self.figures if hasattr(module(figure), "animate")]
+
 
 def load_plan(path: Path) -> Plan:
     """Read a study and expand it.

@@ -76,7 +76,8 @@ def figures_of(figures):
     """Pictures and tables of some figures."""
     pictures = [f"{RESULTS}/figures/{figure}.{form}" for figure in figures for form in ("png", "svg")]
     tables = [f"{RESULTS}/tables/{figure}.{form}" for figure in figures for form in ("csv", "md")]
-    return pictures + [path for path in tables if Path(path).stem in PLAN.tables]
+    motions = [f"{RESULTS}/animations/{figure}.gif" for figure in figures if figure in PLAN.animations]
+    return pictures + [path for path in tables if Path(path).stem in PLAN.tables] + motions
 
 
 def minutes(wildcards, threads, attempt):

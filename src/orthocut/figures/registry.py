@@ -23,6 +23,8 @@ FIGURES = {
     "nairn2015_fig14": "nairn2015_forces",
     "nairn2015_fig15": "nairn2015_forces",
     "nairn2015_fig16": "nairn2015_fig16",
+    "nairn2015_animation": "cut_animation",
+    "yang2018_animation": "cut_animation",
     "energy_balance": "energy_balance",
     "yang2018_fig05": "yang2018_fig05",
     "yang2018_fig06": "yang2018_fig06",
