@@ -7,26 +7,35 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
+from orthocut.io import encoding
 from orthocut.io.files import replacing
+from orthocut.variables import VARIABLES
 
 
 def write(dataset: xr.Dataset, path: str | Path) -> None:
-    """Write a dataset, compressed; the file appears when it is complete and on disk."""
-    with replacing(path) as temporary:
-        fill(dataset, temporary)
-
-
-def fill(dataset: xr.Dataset, path: Path) -> None:
-    """Write a dataset to a file that nobody reads yet."""
-    encoding = {
-        name: {"zlib": True, "complevel": 4}
+    """Write a dataset, compressed, without loss; the file appears when it is complete and on disk."""
+    kept = {
+        name: encoding.chunked(variable)
         for name, variable in dataset.variables.items()
         if variable.ndim and np.issubdtype(variable.dtype, np.number)
     }
-    dataset.to_netcdf(path, engine="netcdf4", encoding=encoding)
+    with replacing(path) as temporary:
+        dataset.to_netcdf(temporary, engine="netcdf4", encoding=kept)
+
+
+def fill(dataset: xr.Dataset, path: Path) -> None:
+    """Write one part of a result, as `orthocut.io.datasets.split` makes it, to a file that nobody reads yet.
+
+    Histories and fields lose digits that no figure shows, and long histories samples; see `orthocut.io.encoding`.
+    """
+    (encoding.write_small if encoding.is_small(dataset) else encoding.write_fields)(dataset, path)
 
 
 def read(path: str | Path) -> xr.Dataset:
-    """Read a whole dataset into memory and close the file."""
+    """Read a whole dataset into memory and close the file; symbols that it left out come from the table."""
     with xr.open_dataset(path, engine="netcdf4") as dataset:
-        return dataset.load()
+        dataset.load()
+    for name, variable in dataset.variables.items():
+        if name in VARIABLES:
+            variable.attrs.setdefault("symbol", VARIABLES[name].symbol)
+    return dataset
