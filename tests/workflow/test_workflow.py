@@ -193,8 +193,8 @@ def test_targets(finished, target, rules):
 
 def test_a_failing_case_is_a_hole_with_a_reason_until_it_is_tried_again(finished):
     path = finished.root / "src" / "orthocut" / "experiments" / "mpm_cutting.py"
-    old = "def simulate(case"
-    new = "def simulate(*_):\n    raise Diverged('it blew up')\n\n\ndef _old(case"
+    old = "def simulate("
+    new = "def simulate(*_):\n    raise Diverged('it blew up')\n\n\ndef _old("
     with edited(path, old, new):
         done = finished.snakemake()
         assert done.returncode == 0, done.stdout

@@ -30,6 +30,8 @@ if workflow.is_main_process:
     SURVEY = survey(PLAN, Store(STORE))
     BATCHES = {batch.name: batch for batch in SURVEY.batches(OPTIONS.batch_cores, OPTIONS.batch_minutes)}
     BATCH_OF = {job.case_id: batch.name for batch in BATCHES.values() for job in batch.jobs}
+    for name in BATCHES:  # a mark of a batch that lacks results is of an earlier run
+        Path(RESULTS, "batches", f"{name}.done").unlink(missing_ok=True)
     logger.info(SURVEY.summary(), extra={"cases": SURVEY.announcement(), "progress": f"{RESULTS}/progress"})
 
 
