@@ -47,6 +47,9 @@ VARIABLES: dict[str, Variable] = {
     "kind": Variable("", "1", "kind of the run"),
     "case_id": Variable("", "1", "name of the case"),
     "case_json": Variable("", "1", "the whole case"),
+    "status": Variable("", "1", "how the run ended"),
+    "failure": Variable("", "1", "why the run failed"),
+    "component": Variable("", "1", "component of the deformation gradient"),
     "wall_time": Variable("", "s", "run time"),
     "clearance_angle": Variable(r"\theta", "rad", "clearance angle", *_DEG),
     "travel": Variable("s", "m", "travel of the tool", *_MM),
@@ -186,6 +189,7 @@ VARIABLES: dict[str, Variable] = {
 
 
 FLAGS = {
+    "status": "done failed",
     "crack_mode": "tension shear",
     "touching": "bending touching",
     "grooved": "regular grooved",

@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from orthocut.figures.canvas import cases, nothing, page, styled, values
+from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import touches
 from orthocut.io.collect import case_of
@@ -19,7 +20,7 @@ CAPTION = (
     "half of the cut that transfers between points and grid lose. Bars: standard error of the mean. Dashed: straight "
     "fits; their ends at zero are an estimate of the converged force, and the distance of a run from it is its "
     "discretisation error. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool "
-    "touches the crack tip."
+    "touches the crack tip. Crosses on the axis: failed runs."
 )
 DIMS = ("sample",)
 
@@ -36,6 +37,8 @@ def draw(dataset: xr.Dataset) -> Figure:
     for run in cases(dataset, "force_cutting_mean", kind="mpm_cutting"):
         case = case_of(run)
         groups[case.cut_depth, case.material.modulus_tangent].append(run)
+    for ax in (force, loss):
+        mark(ax, [1.0 / case_of(run).numerics.points_per_depth for run in failed(dataset, "mpm_cutting")])
     if not groups:
         nothing(force)
         return figure

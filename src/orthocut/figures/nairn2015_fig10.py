@@ -6,13 +6,15 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from orthocut.figures.canvas import label, nothing, page, styled
+from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import dimensionless_depth, group_name, grouped, legend_columns, touches
 from orthocut.io.collect import case_of
 
 CAPTION = (
     "Normal force of the finished surface on the tool (rubbing) over depth of cut, both dimensionless, after Nairn "
-    "(2015), Fig. 10. Open symbols: the tool touches the crack tip; filled: a gap separates them."
+    "(2015), Fig. 10. Open symbols: the tool touches the crack tip; filled: a gap separates them. "
+    "Crosses on the axis: failed runs."
 )
 DIMS = ()
 
@@ -25,6 +27,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax.set_xlabel(label("depth_dimensionless") + " [-]")
     ax.set_ylabel("rubbing force $F_n^b/(bG_c)$ [-]")
     groups = grouped(dataset, "force_rubbing_mean")
+    mark(ax, [dimensionless_depth(run) for run in failed(dataset, "mpm_cutting")])
     if not groups:
         nothing(ax)
         return figure

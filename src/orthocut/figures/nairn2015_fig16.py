@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import cases, nothing, page, styled, values
+from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import BLACK
 from orthocut.figures.sweep import touches
 from orthocut.io.collect import case_of
@@ -14,7 +15,8 @@ from orthocut.theory.forces import thrust_ratio
 
 CAPTION = (
     "Fraction of mode I in the energy of failure over the ratio of thrust to cutting force of a sliding chip, after "
-    "Nairn (2015), Fig. 16. Open symbols: the tool touches the crack tip; filled: a gap separates them."
+    "Nairn (2015), Fig. 16. Open symbols: the tool touches the crack tip; filled: a gap separates them. "
+    "Crosses on the axis: failed runs."
 )
 DIMS = ()
 
@@ -27,6 +29,8 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax.set_xlabel(r"$Z = \tan(\arctan\mu - \alpha)$ [-]")
     ax.set_ylabel("fraction of mode I $J_I/J_c$ [%]")
     runs = cases(dataset, "mode_one_fraction", kind="mpm_cutting")
+    tools = [case_of(run).tool for run in failed(dataset, "mpm_cutting")]
+    mark(ax, [thrust_ratio(tool.rake_angle, tool.friction) for tool in tools])
     if not runs:
         nothing(ax)
         return figure

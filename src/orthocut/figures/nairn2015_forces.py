@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import label, nothing, page, styled
+from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import dimensionless_depth, group_name, grouped, legend_columns, touches
 from orthocut.io.collect import case_of
@@ -20,7 +21,8 @@ CAPTION = (
     "tool touches the crack tip; filled: a gap separates them; bars: standard error of the mean. Dotted: touching "
     "model, eq. (14). Dashed: bending model as printed, eqs (18), (19), with a straight line through the rubbing "
     "forces of the runs that bend. Solid: bending model with the chip in balance, without rubbing. "
-    "Runs carry a discretisation error beside the bars: see the figure of force over particle size."
+    "Runs carry a discretisation error beside the bars: see the figure of force over particle size. "
+    "Crosses on the axis: failed runs."
 )
 DIMS = ()
 CURVE_POINTS = 60
@@ -35,6 +37,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax.set_xlabel(label("depth_dimensionless") + " [-]")
     ax.set_ylabel(label("force_over_toughness") + " [-]")
     groups = grouped(dataset, "force_cutting_mean")
+    mark(ax, [dimensionless_depth(run) for run in failed(dataset, "mpm_cutting")])
     if not groups:
         nothing(ax)
         return figure

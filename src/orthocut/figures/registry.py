@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib import import_module
 from types import ModuleType
 
 import xarray as xr
 from matplotlib.figure import Figure
 
+from orthocut.figures.holes import note, reasons
 from orthocut.figures.tables import Table
 
 FIGURES = {
@@ -63,8 +65,10 @@ def dims(name: str) -> tuple[str, ...] | None:
 
 
 def draw(name: str, dataset: xr.Dataset | None = None) -> Figure:
-    """Draw a figure from a collected dataset, or from a single run."""
-    return module(name).draw(dataset)
+    """Draw a figure from a collected dataset, or from a single run; failed cases are named below it."""
+    figure = module(name).draw(dataset)
+    note(figure, dataset)
+    return figure
 
 
 def caption(name: str) -> str:
@@ -75,4 +79,4 @@ def caption(name: str) -> str:
 def tabulate(name: str, dataset: xr.Dataset) -> Table | None:
     """Table that goes with a figure, None if it has none."""
     make = getattr(module(name), "tabulate", None)
-    return make(dataset) if make else None
+    return replace(make(dataset), notes=reasons(dataset)) if make else None

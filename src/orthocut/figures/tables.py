@@ -6,7 +6,7 @@ import csv
 import io
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -18,11 +18,12 @@ from orthocut.io.files import write_text
 
 @dataclass(frozen=True)
 class Table:
-    """Title, names of the columns with their units, and rows of texts and numbers; NaN is a hole."""
+    """Title, names of the columns with their units, and rows of texts and numbers; NaN is a hole. Notes say why."""
 
     title: str
     header: list[str]
     rows: list[list[Any]]
+    notes: list[str] = field(default_factory=list)
 
     def csv(self) -> str:
         """Comma-separated text; holes are empty."""
@@ -35,7 +36,8 @@ class Table:
     def markdown(self) -> str:
         """Markdown with the title on top; holes are dashes."""
         lines = [f"# {self.title}", "", _row(self.header), _row(["---"] * len(self.header))]
-        return "\n".join(lines + [_row([_plain(cell, 4, "-") for cell in row]) for row in self.rows]) + "\n"
+        lines += [_row([_plain(cell, 4, "-") for cell in row]) for row in self.rows]
+        return "\n".join([*lines, "", *self.notes] if self.notes else lines) + "\n"
 
 
 def _plain(cell: Any, digits: int, hole: str) -> str:
@@ -70,7 +72,12 @@ def run_times(runs: list[xr.Dataset], labels: Mapping[str, str]) -> Table:
         name = run.attrs["case_id"]
         size = [int(run.attrs[key]) if key in run.attrs else math.nan for key in ("particles", "steps")]
         closure = 100.0 * float(run["energy_closure"]) if "energy_closure" in run else math.nan
-        rows.append([name, labels.get(name, ""), *size, closure, float(run.attrs.get("wall_time_s", math.nan))])
+        state = run.attrs.get("status", "done")
+        seconds = float(run.attrs.get("wall_time_s", math.nan))
+        rows.append([name, labels.get(name, ""), state, *size, closure, seconds])
     total = float(np.nansum([row[-1] for row in rows]))
-    header = ["case", "what", "points or discs", "steps", "energy not accounted for [%]", "run time [s]"]
-    return Table("Run times", header, [*rows, [f"{len(rows)} cases", "total", math.nan, math.nan, math.nan, total]])
+    notes = [f"failed: {run.attrs['case_id']}: {run.attrs['failure']}" for run in runs if run.attrs.get("failure")]
+    header = ["case", "what", "status", "points or discs", "steps", "energy not accounted for [%]", "run time [s]"]
+    return Table(
+        "Run times", header, [*rows, [f"{len(rows)} cases", "total", "", math.nan, math.nan, math.nan, total]], notes
+    )

@@ -65,8 +65,9 @@ def collect(datasets: Iterable[xr.Dataset], title: str = "", dims: Collection[st
     -------
     xarray.Dataset
         Coordinates ``case_id``, ``kind`` and the parameters that were swept (always those in `ALWAYS`). Where runs
-        differ in length, or lack a variable or parameter, floats are padded with NaN, integers with -1, texts with "".
-        ``case_json`` holds each whole case.
+        differ in length, or lack a variable or parameter, floats are padded with NaN, integers with -1, texts with "";
+        files declare -1 as their fill value. ``status`` and ``failure`` tell which cases failed, and why; these have no
+        other values. ``case_json`` holds each whole case.
 
     Raises
     ------
@@ -78,6 +79,10 @@ def collect(datasets: Iterable[xr.Dataset], title: str = "", dims: Collection[st
     result = xr.Dataset(_join(runs, lengths), coords=_coordinates(runs) | _labels(runs))
     result["case_json"] = ("case", np.array([run.attrs["case"] for run in runs], object), attributes("case_json"))
     times = [float(run.attrs.get("wall_time_s", np.nan)) for run in runs]
+    states = [int(run.attrs.get("status") == "failed") for run in runs]
+    result["status"] = ("case", np.array(states, np.int8), attributes("status"))
+    reasons = [run.attrs.get("failure", "") for run in runs]
+    result["failure"] = ("case", np.array(reasons, object), attributes("failure"))
     result["wall_time"] = ("case", np.array(times), attributes("wall_time"))
     result.attrs = {
         "Conventions": "CF-1.11",
@@ -133,7 +138,8 @@ def _join(runs: list[xr.Dataset], lengths: Mapping[str, int]) -> dict[str, Any]:
         for index, variable in holders.items():
             values[(index, *(slice(length) for length in variable.shape))] = variable.values
         known = attributes(name) if name in VARIABLES else dict(next(iter(holders.values())).attrs)
-        joined[name] = (("case", *dims), values, known)
+        padded = len(holders) < len(runs) or any(variable.shape != values.shape[1:] for variable in holders.values())
+        joined[name] = (("case", *dims), values, known, {"_FillValue": fill} if padded and fill == -1 else {})
     return joined
 
 
@@ -144,6 +150,8 @@ def _labels(runs: list[xr.Dataset]) -> dict[str, Any]:
         first, *others = (run[name] for run in runs if name in run.variables)
         if all(first.equals(other) for other in others):
             labels[name] = first
+    if any("component" in run.dims for run in runs):
+        labels["component"] = ("component", ["xx", "xy", "yx", "yy"], attributes("component"))
     return labels
 
 

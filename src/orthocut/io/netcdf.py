@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -15,12 +16,17 @@ from orthocut.variables import VARIABLES
 def write(dataset: xr.Dataset, path: str | Path) -> None:
     """Write a dataset, compressed, without loss; the file appears when it is complete and on disk."""
     kept = {
-        name: encoding.chunked(variable)
+        name: encoding.chunked(variable) | declared(variable)
         for name, variable in dataset.variables.items()
         if variable.ndim and np.issubdtype(variable.dtype, np.number)
     }
     with replacing(path) as temporary:
         dataset.to_netcdf(temporary, engine="netcdf4", encoding=kept)
+
+
+def declared(variable: xr.Variable) -> dict[str, Any]:
+    """Fill value that a variable declares."""
+    return {key: value for key, value in variable.encoding.items() if key == "_FillValue"}
 
 
 def fill(dataset: xr.Dataset, path: Path) -> None:

@@ -30,9 +30,9 @@ def test_run_times_name_each_case_its_size_and_sum_up():
     cut, other = mpm_run(snapshots=0, wall_time=2.5), dem_cut_run(wall_time=4.0, **BIG)
     cut.attrs |= {"particles": 700, "steps": 9000}
     table = tables.run_times([cut, other], {cut.attrs["case_id"]: "soft", other.attrs["case_id"]: "brittle"})
-    assert table.rows[1] == [cut.attrs["case_id"], "soft", 700, 9000, 2.0, 2.5]
+    assert table.rows[1] == [cut.attrs["case_id"], "soft", "done", 700, 9000, 2.0, 2.5]
     assert table.rows[0][-1] == 4.0
-    assert math.isnan(table.rows[0][2])
+    assert math.isnan(table.rows[0][3])
     assert table.rows[-1][:2] == ["2 cases", "total"]
     assert table.rows[-1][-1] == 6.5
 
