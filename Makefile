@@ -9,6 +9,7 @@ PUBLISHED := nairn2015_fig03 nairn2015_fig04 nairn2015_fig05 nairn2015_fig08 ene
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/installed.stamp
+VIEWERS := $(VENV)/viewers.stamp
 SHELL := bash
 .SHELLFLAGS := -euo pipefail -c
 PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
@@ -32,6 +33,11 @@ $(STAMP): pyproject.toml constraints.txt
 	@touch $@
 	@echo "installed"
 
+$(VIEWERS): $(STAMP)
+	@echo "installing vtk and ovito for the tests of exported files, once"
+	@$(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --quiet --constraint constraints.txt \
+		--editable '.[viewers]' && touch $@ || echo "not installed: the tests that need them will be skipped" >&2
+
 figures: $(STAMP) ## run a study and draw its figures and tables into results/ (STUDY=quick)
 	@$(BIN)/snakemake --cores $(CORES) --config study=$(STUDY)
 	@echo "figures: results/figures, tables: results/tables, datasets: results/datasets"
@@ -52,7 +58,7 @@ publish: figures ## copy some pictures and all tables of the study to results/pu
 report: figures ## one HTML page with all figures and tables: results/report.html
 	@$(BIN)/snakemake --config study=$(STUDY) --report results/report.html
 
-test: $(STAMP) ## run the tests
+test: $(VIEWERS) ## run the tests
 	@$(BIN)/python -m pytest -n $(TEST_JOBS) --dist loadgroup
 
 lint: $(STAMP) ## style, types of imports, workflow

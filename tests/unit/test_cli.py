@@ -24,6 +24,7 @@ VERBS = [
     [],
     ["run"],
     ["show"],
+    ["export"],
     ["bench"],
     ["study"],
     ["study", "list"],
