@@ -1,19 +1,19 @@
 """Animations, for figures that have one."""
 
 
-rule animation:
+rule animate:
     input:
         dataset=f"{RESULTS}/datasets/{{figure}}.nc",
     output:
         gif=f"{RESULTS}/animations/{{figure}}.gif",
     log:
-        f"{RESULTS}/logs/animation/{{figure}}.log",
+        f"{RESULTS}/logs/animate/{{figure}}.log",
     conda:
         "../envs/orthocut.yaml"
     params:
         sources=digest_pictures(),
     script:
-        "../scripts/animation.py"
+        "../scripts/animate.py"
 
 
 rule animations:
