@@ -11,7 +11,6 @@ from pathlib import Path
 TESTS = [
     "tests/workflow/test_faults.py",
     "tests/verification/test_resume.py",
-    "tests/unit/test_checkpoint.py",
     "tests/unit/test_store.py",
     "tests/slurm",
 ]
