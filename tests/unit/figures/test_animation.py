@@ -1,5 +1,7 @@
 """Animations of cuts: a frame a snapshot, readable, small."""
 
+import itertools
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -21,7 +23,7 @@ def test_a_frame_a_snapshot(make, tmp_path):
         for index in range(picture.n_frames):
             picture.seek(index)
             frames.append(np.asarray(picture.convert("L")))
-    assert all((a != b).any() for a, b in zip(frames, frames[1:], strict=False))
+    assert all((a != b).any() for a, b in itertools.pairwise(frames))
     assert [path.name for path in tmp_path.iterdir()] == ["cut.gif"]
 
 
