@@ -76,13 +76,10 @@ class Clock:
         return text + (f", {len(self.failed)} failed" if self.failed else "")
 
     def _scale(self, wanted: str) -> float:
-        """Measured over predicted seconds of the finished cases of a kind, of all kinds, or 1."""
-        for chosen in (lambda case: kind(case) == wanted, lambda case: True):
-            known = [case for case in self.ended if case in self.cases and chosen(case) and self.ended[case] > 0]
-            guess = sum(self.cases[case][1] for case in known)
-            if guess > 0:
-                return sum(self.ended[case] for case in known) / guess
-        return 1.0
+        """Measured over predicted seconds of the finished cases of a kind; 1 before there are any."""
+        known = [case for case, seconds in self.ended.items() if seconds > 0 and kind(case) == wanted]
+        guess = sum(self.cases[case][1] for case in known if case in self.cases)
+        return sum(self.ended[case] for case in known if case in self.cases) / guess if guess > 0 else 1.0
 
     def seconds_left(self) -> float:
         """Estimate of the time until the last simulation ends [s]."""
