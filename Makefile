@@ -52,6 +52,7 @@ publish: figures ## copy some pictures and all tables of the study to results/pu
 	@mkdir -p results/published/figures results/published/tables
 	@cp $(PUBLISHED:%=results/figures/%.png) results/published/figures
 	@cp results/tables/* results/published/tables
+	@mkdir -p results/published/animations && cp results/animations/*.gif results/published/animations
 	@rm -rf results/published/store
 	@$(BIN)/orthocut store export results/published/store --study $(STUDY)
 

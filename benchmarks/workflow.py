@@ -23,6 +23,10 @@ from rich.console import Console
 from rich.table import Table
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests"))
+
+from slurm.cluster import Cluster, reason_to_skip  # noqa: E402
+
 TRIVIAL = '''
 
 def simulate(case, progress, checkpoint=None, snapshots=0):
@@ -37,7 +41,7 @@ MODES = {
     "one process": ["--cores", "1", "--config", "batch_cores=1"],
     "dask workers": ["--cores", "all", "--config"],
     "a job a case": ["--cores", "all", "--config", "batch_minutes=0"],
-    "slurm": ["--profile", "workflow/profiles/slurm", "--config"],
+    "slurm": ["--profile", "workflow/profiles/slurm", "--jobs", "2", "--slurm-status-command", "squeue", "--config"],
 }
 HEADER = [
     "execution",
@@ -113,23 +117,39 @@ def measure(mode: str, cases: int, trivial: bool) -> list[object]:
     return [mode, kind, cases, dry, run, simulated, overhead / cases, share, idle]
 
 
+def measured(mode: str, cases: int, trivial: bool) -> list[object]:
+    """One row of the table, with a Slurm of one node where it is needed."""
+    if mode != "slurm":
+        return measure(mode, cases, trivial)
+    with tempfile.TemporaryDirectory(prefix="orthocut-slurm-") as folder:
+        cluster = Cluster(Path(folder))
+        try:
+            cluster.start()
+            return measure(mode, cases, trivial)
+        finally:
+            cluster.stop()
+
+
 def main() -> None:
     """Measure and write a table as CSV."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--cases", type=int, nargs="+", default=[100, 1000, 5000], help="numbers of trivial cases")
     parser.add_argument("--real", type=int, default=100, help="number of real cases, 0 for none")
-    parser.add_argument("--modes", nargs="+", choices=MODES, default=["one process", "dask workers", "a job a case"])
+    parser.add_argument("--modes", nargs="+", choices=MODES, default=list(MODES))
     parser.add_argument("--output", type=Path, default=Path("results/benchmarks/workflow.csv"))
     options = parser.parse_args()
 
     console = Console()
     rows = []
     for mode in options.modes:
+        if mode == "slurm" and (reason := reason_to_skip()):
+            console.print(f"slurm left out: {reason}")
+            continue
         for cases in options.cases if mode != "a job a case" else options.cases[:1]:
-            rows.append(measure(mode, cases, trivial=True))
+            rows.append(measured(mode, cases, trivial=True))
             console.print(rows[-1])
         if options.real and mode != "a job a case":
-            rows.append(measure(mode, options.real, trivial=False))
+            rows.append(measured(mode, options.real, trivial=False))
             console.print(rows[-1])
     options.output.parent.mkdir(parents=True, exist_ok=True)
     table = Table(*HEADER)
