@@ -57,7 +57,8 @@ publish: figures ## copy some pictures and all tables of the study to results/pu
 	@$(BIN)/orthocut store export results/published/store --study $(STUDY)
 
 report: figures ## one HTML page with all figures and tables: results/report.html
-	@$(BIN)/snakemake --config study=$(STUDY) --report results/report.html
+	@$(BIN)/snakemake report --cores $(CORES) --config study=$(STUDY)
+	@echo "report: results/report.html"
 
 test: $(VIEWERS) ## run the tests
 	@$(BIN)/python -m pytest -n $(TEST_JOBS) --dist loadgroup

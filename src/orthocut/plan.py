@@ -26,6 +26,8 @@ class Plan:
     """Case id to words for people."""
     figures: dict[str, list[str]]
     """Figure to the ids of its cases."""
+    sweeps: dict[str, dict[str, list[str]]]
+    """Figure to its sweeps, each with the ids of its cases."""
     snapshots: dict[str, int]
     """Case id to the number of snapshots that its figures want; 0 if none draws any."""
 
@@ -60,6 +62,7 @@ def load_plan(path: Path) -> Plan:
             figure: list(dict.fromkeys(case_id for name in names for case_id in sweeps[name]))
             for figure, names in study.figures.items()
         },
+        sweeps={figure: {name: list(sweeps[name]) for name in names} for figure, names in study.figures.items()},
         snapshots=dict.fromkeys(cases, 0) | _snapshots(study, sweeps),
     )
 

@@ -10,7 +10,7 @@ from orthocut.figures.registry import caption, dims
 from orthocut.io.files import hold
 from orthocut.io.store import Store
 from orthocut.params.block import ConfigError
-from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures, result_key
+from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures, digest_report, result_key
 from orthocut.params.workflow import WorkflowOptions
 from orthocut.plan import draws_fields, load_plan
 from orthocut.survey import read_batch, survey

@@ -18,7 +18,8 @@ _REFERENCES = {
 
 
 @cache
-def _git_commit() -> str:
+def git_commit() -> str:
+    """Commit of the sources, and whether they were edited; unknown outside of a repository."""
     try:
         done = subprocess.run(
             ["git", "describe", "--always", "--dirty", "--abbrev=12"],
@@ -47,7 +48,7 @@ def provenance(case: Block) -> dict[str, str]:
         "case_id": case_id(case),
         "case": canonical(case),
         "source_digest": digest_numbers(case.kind),
-        "git_commit": _git_commit(),
+        "git_commit": git_commit(),
         "versions": _versions(),
         "references": _REFERENCES[case.kind.split("_")[0]],
     }

@@ -77,11 +77,17 @@ def digest_pictures() -> str:
     return _digest(_files(_PICTURES), version("matplotlib"))
 
 
+@cache
+def digest_report() -> str:
+    """Digest of the sources that only change the report."""
+    return _digest(_files(("report",)), version("jinja2"))
+
+
 def _files(parts: tuple[str, ...]) -> Iterator[Path]:
     """Files below some parts of the package, sorted, without those that only turn what a user writes into a case."""
     for part in parts:
         path = _PACKAGE / part
-        found = sorted(file for file in path.rglob("*") if file.suffix in {".py", ".mplstyle"}) or [path]
+        found = sorted(file for file in path.rglob("*") if file.suffix in {".py", ".mplstyle", ".j2"}) or [path]
         yield from (file for file in found if part != "params" or file.stem not in _INPUT_ONLY)
 
 

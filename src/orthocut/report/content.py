@@ -1,0 +1,171 @@
+"""What the report of a study holds, gathered from the results of the workflow."""
+
+from __future__ import annotations
+
+import base64
+import csv
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from importlib.metadata import version
+from pathlib import Path
+from platform import python_version
+
+from orthocut.figures.registry import caption
+from orthocut.io.provenance import git_commit
+from orthocut.io.store import Store
+from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures
+from orthocut.plan import Plan, load_plan
+from orthocut.survey import Survey, as_rows, survey
+
+PAPERS = {"nairn2015": "Nairn (2015)", "yang2018": "Yang et al. (2018)"}
+_TYPES = {".png": "image/png", ".gif": "image/gif"}
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A table: title, header, rows of texts."""
+
+    title: str
+    header: list[str]
+    rows: list[list[str]]
+    anchor: str
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure with all that belongs to it."""
+
+    anchor: str
+    title: str
+    caption: str
+    image: str
+    """Data URI."""
+    animation: str = ""
+    """Data URI; empty if there is none."""
+    table: Sheet | None = None
+    claims: Sheet | None = None
+
+
+@dataclass(frozen=True)
+class Content:
+    """Everything that the page shows."""
+
+    title: str
+    made: str
+    summary: list[tuple[str, str]]
+    pictures: list[Picture]
+    claims: list[Sheet]
+    failures: list[tuple[str, str]]
+    times: Sheet | None
+    provenance: list[tuple[str, str]]
+    links: list[tuple[str, str, int]] = field(default_factory=list)
+    """Sweep, figure, number of cases."""
+
+
+def gather(study: Path, results: Path, store: Path) -> Content:
+    """Collect what the workflow left for a study.
+
+    Parameters
+    ----------
+    study : Path
+        Study file.
+    results : Path
+        Folder of figures, tables and animations; what is missing there is left out.
+    store : Path
+        Folder of the results of cases.
+    """
+    plan = load_plan(study)
+    found = survey(plan, Store(store))
+    claims = _claims(results)
+    pictures = [_picture(name, results, claims) for name in plan.figures if _image(name, results).exists()]
+    return Content(
+        title=plan.title,
+        made=datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
+        summary=_summary(found, pictures),
+        pictures=pictures,
+        claims=claims,
+        failures=[(row["label"], row["reason"]) for row in as_rows(found) if row["state"] == "failed"],
+        times=_sheet(results / "tables" / "run_times.csv", "Run times and energy balance"),
+        provenance=_provenance(study),
+        links=_links(plan),
+    )
+
+
+def _summary(found: Survey, pictures: list[Picture]) -> list[tuple[str, str]]:
+    counts = found.counts
+    seconds = sum(entry.seconds for entry in found.entries.values())
+    cases = f"{counts['done']} done, {counts['failed']} failed, {counts['stale'] + counts['missing']} missing"
+    animations = sum(bool(picture.animation) for picture in pictures)
+    return [
+        ("cases", cases),
+        ("figures", f"{len(pictures)}, {animations} of them with an animation"),
+        ("time of all simulations on one core", f"{seconds / 60:.1f} min"),
+    ]
+
+
+def _provenance(study: Path) -> list[tuple[str, str]]:
+    packages = ("orthocut", "numpy", "numba", "scipy", "xarray", "matplotlib", "snakemake")
+    return [
+        ("study", study.name),
+        ("commit", git_commit()),
+        ("sources of MPM numbers", digest_numbers("mpm")),
+        ("sources of DEM numbers", digest_numbers("dem")),
+        ("sources of datasets", digest_datasets()),
+        ("sources of pictures", digest_pictures()),
+        ("Python", python_version()),
+        *((name, version(name)) for name in packages),
+    ]
+
+
+def _links(plan: Plan) -> list[tuple[str, str, int]]:
+    return [(sweep, figure, len(cases)) for figure, sweeps in plan.sweeps.items() for sweep, cases in sweeps.items()]
+
+
+def _image(name: str, results: Path) -> Path:
+    return results / "figures" / f"{name}.png"
+
+
+def _picture(name: str, results: Path, claims: list[Sheet]) -> Picture:
+    paper, _, rest = name.partition("_")
+    title = f"{PAPERS[paper]}, {_words(rest)}" if paper in PAPERS else _words(name)
+    motion = results / "animations" / f"{name}.gif"
+    mine = [[row for row in sheet.rows if name in " ".join(row)] for sheet in claims]
+    rows = [row for found in mine for row in found]
+    return Picture(
+        anchor=name,
+        title=title,
+        caption=caption(name),
+        image=_uri(_image(name, results)),
+        animation=_uri(motion) if motion.exists() else "",
+        table=_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
+        claims=Sheet("Claims", claims[0].header, rows, f"{name}-claims") if rows else None,
+    )
+
+
+def _words(name: str) -> str:
+    """Fig. 8 for fig08, table 4 for table4, other names as words."""
+    for short, long in (("fig", "Fig. "), ("table", "Table ")):
+        number = name.removeprefix(short)
+        if number != name and number.isdigit():
+            return f"{long}{int(number)}"
+    return name.replace("_", " ")
+
+
+def _claims(results: Path) -> list[Sheet]:
+    """Tables of claims, of the study and published ones."""
+    paths = [*sorted(results.glob("tables/claims*.csv")), *sorted(results.glob("published/*/claims.csv"))]
+    return [_sheet(path, f"Claims: {path.parent.name} {path.stem}") for path in paths]
+
+
+def _sheet(path: Path, title: str) -> Sheet | None:
+    """Table of a CSV file; None if there is none."""
+    if not path.exists():
+        return None
+    with open(path, newline="", encoding="utf-8") as file:
+        header, *rows = csv.reader(file)
+    return Sheet(title, header, rows, f"table-{path.stem}")
+
+
+def _uri(path: Path) -> str:
+    """Content of a picture, to stand in a page."""
+    return f"data:{_TYPES[path.suffix]};base64,{base64.b64encode(path.read_bytes()).decode()}"

@@ -1,0 +1,20 @@
+"""One page with all figures, tables and animations, and where they come from."""
+
+
+rule report:
+    input:
+        figures_of(PLAN.figures),
+        rules.run_times.output.csv,
+    output:
+        page=f"{RESULTS}/report.html",
+    log:
+        f"{RESULTS}/logs/report.log",
+    conda:
+        "../envs/orthocut.yaml"
+    params:
+        sources=digest_report(),
+        study=str(OPTIONS.study_path(Path(workflow.basedir))),
+        results=RESULTS,
+        store=STORE,
+    script:
+        "../scripts/report.py"
