@@ -56,7 +56,7 @@ def page(tmp_path_factory):
         "glass": [dem_cut_run()],
     }
     for run in runs["cuts"] + runs["glass"]:
-        store.put(validate(json.loads(run.attrs["case"])), run, 0, 1.0)
+        store.put(validate(json.loads(run.attrs["case"])), run, 6, 1.0)
     case = make_case("mpm_cutting", cut_depth="2 mm", points_per_depth=4)
     hole = failed(case, "the chip <sinks> into the base", 1.0)
     store.put(case, hole, 0, 1.0)

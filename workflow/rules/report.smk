@@ -14,7 +14,7 @@ rule report:
     params:
         sources=digest_report(),
         study=str(OPTIONS.study_path(Path(workflow.basedir))),
-        results=RESULTS,
+        results=lambda wildcards, output: str(Path(output.page).parent),
         store=STORE,
     script:
         "../scripts/report.py"

@@ -10,6 +10,8 @@ from importlib.metadata import version
 from pathlib import Path
 from platform import python_version
 
+import PIL.Image
+
 from orthocut.figures.registry import caption
 from orthocut.io.provenance import git_commit
 from orthocut.io.store import Store
@@ -18,6 +20,8 @@ from orthocut.plan import Plan, load_plan
 from orthocut.survey import Survey, as_rows, survey
 
 PAPERS = {"nairn2015": "Nairn (2015)", "yang2018": "Yang et al. (2018)"}
+_DENSITY = 1.9
+"""Pixels of a picture for one on screen."""
 _TYPES = {".png": "image/png", ".gif": "image/gif"}
 
 
@@ -40,6 +44,8 @@ class Picture:
     caption: str
     image: str
     """Data URI."""
+    width: int
+    """On screen [px]."""
     animation: str = ""
     """Data URI; empty if there is none."""
     table: Sheet | None = None
@@ -136,10 +142,16 @@ def _picture(name: str, results: Path, claims: list[Sheet]) -> Picture:
         title=title,
         caption=caption(name),
         image=_uri(_image(name, results)),
+        width=round(_width(_image(name, results)) / _DENSITY),
         animation=_uri(motion) if motion.exists() else "",
         table=_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
         claims=Sheet("Claims", claims[0].header, rows, f"{name}-claims") if rows else None,
     )
+
+
+def _width(path: Path) -> int:
+    with PIL.Image.open(path) as picture:
+        return picture.width
 
 
 def _words(name: str) -> str:
