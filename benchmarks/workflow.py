@@ -65,7 +65,7 @@ def project(cases: int, trivial: bool) -> Iterator[Path]:
             shutil.copytree(ROOT / folder, root / folder, ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
         shutil.copy(ROOT / "Snakefile", root)
         seeds = ", ".join(str(seed) for seed in range(1, cases + 1))
-        size = "{width: 0.15 mm, height: 0.3 mm}" if trivial else "{width: 0.3 mm, height: 0.6 mm}"
+        size = "{width: 0.15 mm, height: 0.3 mm}" if trivial else "{width: 0.5 mm, height: 1 mm}"
         study = f"title: benchmark\nsweeps:\n  pull:\n    base: {{kind: dem_tension, packing: {size}}}\n"
         study += f"    axes: {{product: {{seed: [{seeds}]}}}}\nfigures: {{}}\n"
         (root / "workflow/config/benchmark.yaml").write_text(study, encoding="utf-8")
