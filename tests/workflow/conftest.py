@@ -46,12 +46,6 @@ class Project:
             words[0]: int(words[1]) for words in map(str.split, table.splitlines()) if words[1:] and words[1].isdigit()
         }
 
-    def twin(self, folder, study):
-        """Return a copy, without results, that has a study called faults."""
-        project = copy_project(folder)
-        (project.root / "workflow" / "config" / "faults.yaml").write_text(study, encoding="utf-8")
-        return project
-
     def missing(self, study="smoke"):
         """Count the cases that a dry run would simulate."""
         text = self.snakemake("--dry-run", study=study).stdout

@@ -9,10 +9,11 @@ import time
 
 import psutil
 import pytest
+from workflow.conftest import copy_project
 
 from orthocut.io.store import Store
 
-pytestmark = pytest.mark.xdist_group("workflow")
+pytestmark = pytest.mark.xdist_group("faults")
 
 STUDY = """
 title: Four short cuts and a long one
@@ -32,18 +33,25 @@ figures:
 """
 
 
+def twin(folder):
+    """Return a copy of the project, without results, that has the study."""
+    project = copy_project(folder)
+    (project.root / "workflow" / "config" / "faults.yaml").write_text(STUDY, encoding="utf-8")
+    return project
+
+
 @pytest.fixture(scope="module")
-def expected(tmp_path_factory, finished):
+def expected(tmp_path_factory):
     """Return the numbers of an undisturbed run."""
-    project = finished.twin(tmp_path_factory.mktemp("undisturbed"), STUDY)
+    project = twin(tmp_path_factory.mktemp("undisturbed"))
     done = project.snakemake(study="faults", copied=False)
     assert done.returncode == 0, done.stdout
     return numbers(project)
 
 
 @pytest.fixture
-def project(tmp_path, finished):
-    return finished.twin(tmp_path, STUDY)
+def project(tmp_path):
+    return twin(tmp_path)
 
 
 def numbers(project, store=None):
@@ -100,7 +108,7 @@ def workers(process):
     return [child for child in children if "spawn_main" in " ".join(child.cmdline())]
 
 
-@pytest.mark.parametrize("delay", [0.0, 0.5, 1.5])
+@pytest.mark.parametrize("delay", [0.0, 0.7])
 def test_kill_9_of_the_whole_workflow(project, expected, delay):
     with running(project) as process:
         wait_for(lambda: started(project))
@@ -169,8 +177,8 @@ def test_read_only_store(project, expected):
     check(project, expected)
 
 
-def test_two_workflows_on_one_store_at_once(tmp_path, finished, expected):
-    projects = [finished.twin(tmp_path / name, STUDY) for name in "ab"]
+def test_two_workflows_on_one_store_at_once(tmp_path, expected):
+    projects = [twin(tmp_path / name) for name in "ab"]
     store = tmp_path / "store"
     processes = []
     with contextlib.ExitStack() as stack:
