@@ -98,7 +98,9 @@ def sweeps(draw: st.DrawFn) -> dict[str, Any]:
 
 NAMES = st.from_regex(r"[A-Za-z][A-Za-z0-9_-]{0,20}", fullmatch=True)
 LINES = st.text(st.characters(codec="utf-8", categories=("L", "N", "P", "Zs", "So")), min_size=1, max_size=40).filter(
-    str.isprintable
+    lambda text: (
+        text.isprintable() and text[0].isalpha() and text.lower() not in ("true", "false", "null", "nan", "inf")
+    )
 )
 
 
