@@ -81,7 +81,9 @@ class Project:
 
 @pytest.fixture(scope="session")
 def cluster(tmp_path_factory):
-    """Return a running Slurm."""
+    """Return a running Slurm, where it is asked for: its tests take minutes and want the machine for themselves."""
+    if not os.environ.get("SLURM_TESTS"):
+        pytest.skip("Slurm is tested by `make test-slurm`")
     if reason := reason_to_skip():
         pytest.skip(reason)
     running = Cluster(tmp_path_factory.mktemp("slurm"))
