@@ -22,6 +22,8 @@ localrules:
     figure,
     table,
     run_times,
+    animate,
+    report,
 
 
 rule all:
