@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import json
-import os
 import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from orthocut.cost import estimate_seconds
 from orthocut.io.checkpoint import Checkpoint
 from orthocut.io.datasets import failed
+from orthocut.io.events import Events
 from orthocut.io.store import CHECKPOINT, Entry, Store
 from orthocut.params.block import CaseFailed
 from orthocut.params.case import validate
@@ -31,29 +30,6 @@ _ALLOWED_FAILURES = 2  # times that a worker may die of a case
 
 class Interrupted(RuntimeError):
     """Cases of a batch could not be run, for reasons that are not theirs; all others are in the store."""
-
-
-class Events:
-    """Lines of JSON that tell what happens, for whoever shows progress.
-
-    Parameters
-    ----------
-    path : Path
-        File to add lines to; its folder is made.
-    """
-
-    def __init__(self, path: Path) -> None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        self.path = path
-
-    def tell(self, event: str, **facts: Any) -> None:
-        """Add a line; it is written in one piece, also when several processes write."""
-        line = json.dumps({"event": event, **facts}) + "\n"
-        handle = os.open(self.path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o644)
-        try:
-            os.write(handle, line.encode())
-        finally:
-            os.close(handle)
 
 
 def simulate_job(job: Job, store: Store, events: Events) -> Entry:
@@ -95,7 +71,7 @@ def simulate_job(job: Job, store: Store, events: Events) -> Entry:
 
 
 def run_batch(
-    batch: Batch, store: Store, events: Events, workers: int, memory_mb: int, cluster: str = "local"
+    batch: Batch, store: Store, events: Events, workers: int, memory_mb: int, cluster: str = "local", minutes: int = 60
 ) -> list[Entry]:
     """Simulate the cases of a batch, longest first.
 
@@ -110,6 +86,8 @@ def run_batch(
         Memory of all workers together [MB]; a worker that needs more than its share is ended.
     cluster : str
         ``local``, or ``slurm``: the workers are Slurm jobs of their own, on any nodes.
+    minutes : int
+        Time limit of such a job [min].
 
     Raises
     ------
@@ -123,7 +101,7 @@ def run_batch(
     from distributed import Client, as_completed
 
     entries, lost = [], []
-    with _cluster(cluster, workers, memory_mb) as running, Client(running) as client:
+    with _cluster(cluster, workers, memory_mb, minutes) as running, Client(running) as client:
         events.tell("dashboard", address=client.dashboard_link)
         futures = {
             client.submit(_simulate_alone, job, store, events, key=job.case_id, priority=-rank, pure=False): job
@@ -158,7 +136,7 @@ def _why(future: distributed.Future) -> str:
 
 
 @contextmanager
-def _cluster(kind: str, workers: int, memory_mb: int) -> Iterator[distributed.deploy.Cluster]:
+def _cluster(kind: str, workers: int, memory_mb: int, minutes: int) -> Iterator[distributed.deploy.Cluster]:
     """Worker processes with one thread each, which start once and keep their compiled kernels."""
     import dask
     from distributed import LocalCluster
@@ -173,8 +151,8 @@ def _cluster(kind: str, workers: int, memory_mb: int) -> Iterator[distributed.de
         if kind == "slurm":
             from dask_jobqueue import SLURMCluster
 
-            options = {"cores": 1, "processes": 1, "memory": share, "local_directory": scratch}
-            with SLURMCluster(**options) as cluster:
+            options = {"cores": 1, "processes": 1, "memory": share, "walltime": str(minutes)}
+            with SLURMCluster(**options, local_directory=scratch) as cluster:
                 cluster.scale(workers)
                 yield cluster
         else:

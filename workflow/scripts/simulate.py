@@ -8,9 +8,10 @@ from logged import logged
 def main():
     """Run the batch; not at import: worker processes import this file when they start."""
     with logged(snakemake.log[0]):
+        from orthocut.io.events import Events
         from orthocut.io.store import Store
         from orthocut.survey import read_batch
-        from orthocut.sweep import Events, run_batch
+        from orthocut.sweep import run_batch
 
         run_batch(
             read_batch(Path(snakemake.params.batch)),
@@ -19,6 +20,7 @@ def main():
             workers=snakemake.threads,
             memory_mb=snakemake.resources.mem_mb,
             cluster=snakemake.params.cluster,
+            minutes=snakemake.resources.runtime,
         )
         Path(snakemake.output[0]).touch()
 

@@ -17,17 +17,18 @@ from orthocut.theory import bending, touching
 
 CAPTION = (
     "Cutting force over particle size, after Nairn (2015), Fig. 3B, and the share of the tool's work in the second "
-    "half of the cut that transfers between points and grid lose. Bars: standard error of the mean. Dashed: straight "
-    "fits; their ends at zero are an estimate of the converged force, and the distance of a run from it is its "
-    "discretisation error. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool "
-    "touches the crack tip. Crosses on the axis: failed runs."
+    "half of the cut that transfers between points and grid lose. Circles: points hand on a share of the velocity "
+    "gradient; squares: none of it (PIC, as in the paper). Bars: standard error of the mean. Dashed: straight fits; "
+    "their ends at zero are estimates of the converged force, and the distance between those of both schemes shows how sure "
+    "they are. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool touches the "
+    "crack tip. Crosses on the axis: failed runs."
 )
 DIMS = ("sample",)
 
 
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
-    """One colour for each depth of cut and tangent modulus."""
+    """One colour for each depth of cut and tangent modulus, one symbol for each scheme of transfers."""
     figure = page(4.4)
     force, loss = figure.subplots(2, sharex=True)
     force.set_ylabel("force $F_c/(bG_c)$ [-]")
@@ -36,32 +37,36 @@ def draw(dataset: xr.Dataset) -> Figure:
     groups = defaultdict(list)
     for run in cases(dataset, "force_cutting_mean", kind="mpm_cutting"):
         case = case_of(run)
-        groups[case.cut_depth, case.material.modulus_tangent].append(run)
+        groups[case.cut_depth, case.material.modulus_tangent, case.numerics.affine].append(run)
     for ax in (force, loss):
         mark(ax, [1.0 / case_of(run).numerics.points_per_depth for run in failed(dataset, "mpm_cutting")])
     if not groups:
         nothing(force)
         return figure
 
-    for colour, ((depth, tangent), runs) in zip(SERIES * 9, sorted(groups.items()), strict=False):
+    scenes = sorted({group[:2] for group in groups})
+    for (depth, tangent, affine), runs in sorted(groups.items()):
+        colour, symbol = (SERIES * 9)[scenes.index((depth, tangent))], "o" if affine else "s"
         sizes = np.array([1.0 / case_of(run).numerics.points_per_depth for run in runs])
         toughness = case_of(runs[0]).interface.toughness
         forces = np.array([float(run["force_cutting_mean"]) for run in runs]) / toughness
         for run, size, mean in zip(runs, sizes, forces, strict=True):
             face = "white" if touches(run) else colour
             error = float(run["force_cutting_error"]) / toughness
-            force.errorbar(size, mean, yerr=error, fmt="o", color=colour, mfc=face, capsize=2, elinewidth=0.8)
-            loss.plot(size, _share_lost(run), "o", color=colour, mfc=face)
+            force.errorbar(size, mean, yerr=error, fmt=symbol, color=colour, mfc=face, capsize=2, elinewidth=0.8)
+            loss.plot(size, _share_lost(run), symbol, color=colour, mfc=face)
         if len(runs) > 2:
             ends = np.array([0.0, sizes.max()])
             force.plot(ends, np.polyval(np.polyfit(sizes, forces, 1), ends), color=colour, lw=0.8, ls="--")
         force.plot(0.0, _model(runs[0]), marker=5, color=colour, clip_on=False)
-        name = f"$h$ = {depth * 1e3:g} mm, $E_T$ = {tangent * 1e-6:g} MPa"
-        force.plot([], [], "o", color=colour, label=name)
+        name = f"$h$ = {depth * 1e3:g} mm, $E_T$ = {tangent * 1e-6:g} MPa, " + (
+            f"{affine:g} affine" if affine else "PIC"
+        )
+        force.plot([], [], symbol, color=colour, label=name)
     force.set_xlim(left=0)
     force.set_ylim(bottom=0)
     loss.set_ylim(bottom=0)
-    figure.legend(loc="outside upper center", ncols=1)
+    figure.legend(loc="outside upper center", ncols=2)
     return figure
 
 

@@ -105,5 +105,6 @@ def build(case: MpmCutting) -> State:
             last_clamped_row=below - base_rows // 2,
             mass_small=_MASS_SMALL * solid.density * cell**2,
             time_step=case.time_step,
+            affine=case.numerics.affine,
         ),
     )

@@ -32,6 +32,8 @@ class MpmNumerics(Block):
     """Material points through the depth of cut; two a cell and direction."""
     courant: Annotated[float, Number(0.01, 1.0)] = 0.5
     """Time step over the time a pressure wave needs for a cell."""
+    affine: Annotated[float, Number(0.0, 1.0)] = 0.9
+    """Share of the velocity gradient that points hand on to the next grid; 0 is PIC, 1 keeps linear velocity fields."""
     ramp_fraction: Annotated[float, Number(0.01, 0.9)] = 0.3
     """Fraction of the duration in which the tool speeds up linearly, with feedback damping."""
     ramp_feedback: Annotated[float, Quantity("m^-2", "0 mm^-2", "1000 mm^-2", "mm^-2")] = 10e6

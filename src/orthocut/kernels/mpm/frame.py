@@ -26,6 +26,8 @@ class Frame(NamedTuple):
     """Nodes of less mass are skipped [kg/m]."""
     time_step: float
     """Time step [s]."""
+    affine: float
+    """Share of the velocity gradient that points hand on to the next grid: 0 (PIC) to 1."""
 
 
 class Solid(NamedTuple):

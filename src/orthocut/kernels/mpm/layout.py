@@ -22,7 +22,8 @@ WX, GX, WY, GY = 13, 16, 19, 22  # three weights, three slopes in each direction
 CORNER = 25  # index of the lower left of the 3 x 3 nodes
 DXX, DXY, DYX, DYY = 26, 27, 28, 29  # velocity gradient times cell size [m/s]
 TXX, TYY, TXY = 30, 31, 32  # Kirchhoff stress times initial volume over cell size [N/m]
-WORK = 33 * LANES
+RX, RY = 33, 34  # place relative to the nearest node, in cells
+WORK = 35 * LANES
 
 # quantities of a node
 NM = 0  # mass [kg/m]

@@ -1,8 +1,10 @@
 """One pass over the material points: grid to point, constitutive update, point to the next grid.
 
-Velocities are taken from the grid whole (PIC), and positions and deformations move with that same field: x += v dt,
+Velocities are taken from the grid whole, and positions and deformations move with that same field: x += v dt,
 F <- (1 + dt grad v) F. This pair is consistent for a loop that does not extrapolate velocities twice a step; other
-pairs let points drift away from their deformation gradients.
+pairs let points drift away from their deformation gradients. On the way back a point hands on its velocity and a share
+of the velocity gradient: none is PIC, which flattens every gradient a little in each step; all of it keeps linear
+velocity fields, as APIC does (Jiang et al. 2015, ACM Trans. Graph. 34, 51), but also noise.
 """
 
 import math
@@ -28,6 +30,8 @@ from orthocut.kernels.mpm.layout import (
     GY,
     LANES,
     MASS,
+    RX,
+    RY,
     TXX,
     TXY,
     TYY,
@@ -66,6 +70,8 @@ def weigh_lanes(work, frame):
         work[GY * LANES + lane] = g0
         work[(GY + 1) * LANES + lane] = g1
         work[(GY + 2) * LANES + lane] = g2
+        work[RX * LANES + lane] = x - i
+        work[RY * LANES + lane] = y - j
         work[CORNER * LANES + lane] = (j - 1.0) * count_x + (i - 1.0)
 
 
@@ -160,7 +166,7 @@ def advance_points(points, blocks, grid, grid_next, work, extent, solid, frame, 
         update_lanes(work, solid, frame, time_step)
         weigh_lanes(work, frame)
         for lane in range(LANES):
-            scatter_point(grid_next, int(work[CORNER * LANES + lane]), frame.count_x, work, lane)
+            scatter_point(grid_next, int(work[CORNER * LANES + lane]), frame.count_x, work, lane, frame.affine)
         for k in range(BLOCK):
             body[start + k] = work[k]
         for lane in range(LANES):

@@ -26,6 +26,8 @@ from orthocut.kernels.mpm.layout import (
     NM,
     NODE,
     NVX,
+    RX,
+    RY,
     TXX,
     TXY,
     TYY,
@@ -155,27 +157,42 @@ def gather_point(typing_context, grid, corner, count_x, work, lane):
 
 
 @intrinsic
-def scatter_point(typing_context, grid, corner, count_x, work, lane):
-    """Add mass, momentum and internal force of a point to its nodes; parameters as for `gather_point`."""
+def scatter_point(typing_context, grid, corner, count_x, work, lane, affine):
+    """Add mass, momentum and internal force of a point to its nodes.
+
+    A point at p hands the momentum of the velocity v + affine * (grad v) (x - p) to the node at x. The other parameters
+    are those of `gather_point`.
+    """
 
     def generate(context, builder, signature, values):
-        w = _Writer(context, builder, signature, values)
+        w = _Writer(context, builder, signature, values[:5])
+        share = values[5]
         mass, vx, vy = w.field(MASS), w.field(VX), w.field(VY)
         txx, txy, tyy = (builder.fneg(w.field(row)) for row in (TXX, TXY, TYY))
-        inertia = w.pack(mass, builder.fmul(mass, vx), builder.fmul(mass, vy), None)
+        carried = builder.fmul(mass, share)
+        dxx, dxy, dyx, dyy = (builder.fmul(carried, w.field(row)) for row in (DXX, DXY, DYX, DYY))
+        centre = w.pack(mass, builder.fmul(mass, vx), builder.fmul(mass, vy), None)
+        by_x, by_y = w.pack(None, dxx, dyx, None), w.pack(None, dxy, dyy, None)
         force_x, force_y = w.pack(txx, txy), w.pack(txy, tyy)
+        weights = [w.field(WX + c) for c in range(3)]
+        offsets_x, offsets_y = (
+            [builder.fsub(ir.Constant(_DOUBLE, c - 1.0), w.field(row)) for c in range(3)] for row in (RX, RY)
+        )
         for k in range(3):
             weight, slope = w.field(WY + k), w.field(GY + k)
-            inertia_row = w.times(inertia, w.splat(weight, 4))
+            weight_4 = w.splat(weight, 4)
+            at_row = w.times(w.plus_times(centre, by_y, w.splat(offsets_y[k], 4)), weight_4)
+            along_row = w.times(by_x, weight_4)
             force_row_x, force_row_y = w.times(force_x, w.splat(weight, 2)), w.times(force_y, w.splat(slope, 2))
             for c in range(3):
-                weight, slope = w.field(WX + c), w.field(GX + c)
+                slope = w.field(GX + c)
+                inertia = w.plus_times(at_row, along_row, w.splat(offsets_x[c], 4))
                 pointer = w.node_pointer(k, c, NM, 4)
                 node = builder.load(pointer, align=8)
-                builder.store(w.plus_times(node, inertia_row, w.splat(weight, 4)), pointer, align=8)
+                builder.store(w.plus_times(node, inertia, w.splat(weights[c], 4)), pointer, align=8)
                 pointer = w.node_pointer(k, c, NFX, 2)
                 node = w.plus_times(builder.load(pointer, align=8), force_row_x, w.splat(slope, 2))
-                builder.store(w.plus_times(node, force_row_y, w.splat(weight, 2)), pointer, align=8)
+                builder.store(w.plus_times(node, force_row_y, w.splat(weights[c], 2)), pointer, align=8)
         return context.get_dummy_value()
 
-    return types.void(grid, types.int64, types.int64, work, types.int64), generate
+    return types.void(grid, types.int64, types.int64, work, types.int64, types.float64), generate

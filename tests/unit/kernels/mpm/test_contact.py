@@ -10,7 +10,7 @@ from orthocut.kernels.mpm.frame import Frame, Wedge
 from orthocut.mpm.setup import fill_blocks
 
 CELL = 1e-4
-FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 15, -1, 1e-12, 1e-8)
+FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 15, -1, 1e-12, 1e-8, 0.0)
 NODES = FRAME.count_x * FRAME.count_y
 
 

@@ -7,7 +7,7 @@ from orthocut.kernels.mpm import layout
 from orthocut.kernels.mpm.frame import Frame
 from orthocut.kernels.mpm.grid import clear_grid, update_grid
 
-FRAME = Frame(0.0, 0.0, 1e-4, 1e4, 4, 3, -1, 1e-12, 1e-6)
+FRAME = Frame(0.0, 0.0, 1e-4, 1e4, 4, 3, -1, 1e-12, 1e-6, 0.0)
 ALL = np.array([0, 3, 0, 2])
 
 

@@ -11,7 +11,7 @@ from orthocut.params.cohesive import CohesiveZone
 ZONE = CohesiveZone()
 COHESION = Cohesion(ZONE.strength, ZONE.opening_critical)
 CELL = 1e-4
-FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 11, -1, 1e-12, 1e-8)
+FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 11, -1, 1e-12, 1e-8, 0.0)
 NODES = FRAME.count_x * FRAME.count_y
 AREA = CELL / 2
 

@@ -12,7 +12,7 @@ from orthocut.mpm.setup import fill_blocks
 
 CELL = 0.1
 SOLID = Solid(980e6, 376e6, 25e6, 0.0, 1000.0)
-FRAME = Frame(-0.5, -0.4, CELL, 1 / CELL, 24, 20, -1, 1e-12, 1e-6)
+FRAME = Frame(-0.5, -0.4, CELL, 1 / CELL, 24, 20, -1, 1e-12, 1e-6, 0.0)
 
 
 class Body:
@@ -37,7 +37,7 @@ class Body:
         vx, vy = function(FRAME.origin_x + i * CELL, FRAME.origin_y + j * CELL)
         nodes[..., layout.NVX], nodes[..., layout.NVY] = vx, vy
 
-    def advance(self, time_step):
+    def advance(self, time_step, affine=0.0):
         return points.advance_points(
             self.points,
             self.blocks,
@@ -46,7 +46,7 @@ class Body:
             self.work,
             self.extent,
             SOLID,
-            FRAME,
+            FRAME._replace(affine=affine),
             time_step,
         )
 
@@ -156,3 +156,28 @@ def test_points_beyond_the_grid_do_not_write_outside(field, place):
     body.advance(0.0)
     assert (guarded[:guard] == 7.0).all()
     assert (guarded[-guard:] == 7.0).all()
+
+
+@pytest.mark.parametrize("affine", [0.0, 0.4, 1.0])
+def test_affine_points_hand_on_their_share_of_a_linear_velocity_field(affine):
+    """With the whole gradient the field comes back exactly, also at the edges; else that share of what is missing."""
+    plain, carrying = Body(), Body()
+    for body, share in ((plain, 0.0), (carrying, affine)):
+        body.set_velocity(lambda x, y: (2 + 3 * x - 4 * y, -1 + 5 * x + 6 * y))
+        body.advance(0.0, share)
+    pic, found = (body.after.reshape(FRAME.count_y, FRAME.count_x, layout.NODE) for body in (plain, carrying))
+    j, i = np.nonzero(found[..., layout.NM] > 1e-9)
+    x, y = FRAME.origin_x + i * CELL, FRAME.origin_y + j * CELL
+    mass = found[j, i, layout.NM]
+    for momentum, exact in ((layout.NPX, 2 + 3 * x - 4 * y), (layout.NPY, -1 + 5 * x + 6 * y)):
+        smoothed = pic[j, i, momentum] / mass
+        assert abs(smoothed - exact).max() > 0.1
+        np.testing.assert_allclose(found[j, i, momentum] / mass, smoothed + affine * (exact - smoothed), atol=1e-9)
+
+
+def test_affine_points_change_no_total():
+    plain, carrying = Body(), Body()
+    for body, share in ((plain, 0.0), (carrying, 1.0)):
+        body.set_velocity(lambda x, y: (30 * np.sin(5 * x) * y, 20 * np.cos(4 * y) + x))
+        body.advance(1e-4, share)
+    np.testing.assert_allclose(carrying.node_sums(), plain.node_sums(), rtol=1e-12, atol=1e-9)
