@@ -19,9 +19,9 @@ CAPTION = (
     "Cutting force over particle size, after Nairn (2015), Fig. 3B, and the share of the tool's work in the second "
     "half of the cut that transfers between points and grid lose. Circles: points hand on a share of the velocity "
     "gradient; squares: none of it (PIC, as in the paper). Bars: standard error of the mean. Dashed: straight fits; "
-    "their ends at zero are estimates of the converged force, and the distance between those of both schemes shows how sure "
-    "they are. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool touches the "
-    "crack tip. Crosses on the axis: failed runs."
+    "their ends at zero are estimates of the converged force, and the distance between those of both schemes shows how "
+    "sure they are. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool touches "
+    "the crack tip. Crosses on the axis: failed runs."
 )
 DIMS = ("sample",)
 
