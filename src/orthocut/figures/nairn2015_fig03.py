@@ -20,8 +20,8 @@ CAPTION = (
     "half of the cut that transfers between points and grid lose. Circles: points hand on a share of the velocity "
     "gradient; squares: none of it (PIC, as in the paper). Bars: standard error of the mean. Dashed: straight fits; "
     "their ends at zero are estimates of the converged force, and the distance between those of both schemes shows how "
-    "sure they are. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool touches "
-    "the crack tip. Crosses on the axis: failed runs."
+    "sure they are. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool "
+    "touches the crack tip. Crosses on the axis: failed runs."
 )
 DIMS = ("sample",)
 
