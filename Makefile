@@ -15,7 +15,7 @@ SHELL := bash
 PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
 	/^Installing collected/ {print "  unpacking"; fflush()} /^ *(ERROR|error)/ {print; fflush()}'
 
-.PHONY: help figures import publish dry-run report test test-slurm lint format config clean benchmark benchmark-workflow
+.PHONY: help figures import publish dry-run report test lint format config clean benchmark benchmark-workflow
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
@@ -62,9 +62,6 @@ report: figures ## one HTML page with all figures and tables: results/report.htm
 
 test: $(VIEWERS) ## run the tests
 	@$(BIN)/python -m pytest -n $(TEST_JOBS) --dist loadgroup
-
-test-slurm: $(STAMP) ## run the workflow through a real Slurm of one node (as root, with slurm-wlm and munge installed)
-	@SLURM_TESTS=1 $(BIN)/python -m pytest tests/slurm
 
 lint: $(STAMP) ## style, types of imports, workflow
 	@$(BIN)/ruff check

@@ -7,6 +7,7 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from orthocut.cost import estimate_seconds
@@ -101,7 +102,8 @@ def run_batch(
     from distributed import Client, as_completed
 
     entries, lost = [], []
-    with _cluster(cluster, workers, memory_mb, minutes) as running, Client(running) as client:
+    logs = events.path.with_suffix("")
+    with _cluster(cluster, workers, memory_mb, minutes, logs) as running, Client(running) as client:
         events.tell("dashboard", address=client.dashboard_link)
         futures = {
             client.submit(_simulate_alone, job, store, events, key=job.case_id, priority=-rank, pure=False): job
@@ -136,7 +138,7 @@ def _why(future: distributed.Future) -> str:
 
 
 @contextmanager
-def _cluster(kind: str, workers: int, memory_mb: int, minutes: int) -> Iterator[distributed.deploy.Cluster]:
+def _cluster(kind: str, workers: int, memory_mb: int, minutes: int, logs: Path) -> Iterator[distributed.deploy.Cluster]:
     """Worker processes with one thread each, which start once and keep their compiled kernels."""
     import dask
     from distributed import LocalCluster
@@ -152,7 +154,7 @@ def _cluster(kind: str, workers: int, memory_mb: int, minutes: int) -> Iterator[
             from dask_jobqueue import SLURMCluster
 
             options = {"cores": 1, "processes": 1, "memory": share, "walltime": str(minutes)}
-            with SLURMCluster(**options, local_directory=scratch) as cluster:
+            with SLURMCluster(**options, local_directory=scratch, log_directory=str(logs)) as cluster:
                 cluster.scale(workers)
                 yield cluster
         else:

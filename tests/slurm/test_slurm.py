@@ -97,7 +97,7 @@ def test_jobs_that_slurm_ends_are_tried_again_with_more_and_then_reported(projec
                 cluster.ask("scancel", first[case])
         wait_for(lambda: project.started(hopeless, times=2))
         cluster.ask("scancel", job_of(cluster, hopeless))
-        text = process.communicate(timeout=200)[0]
+        text = process.communicate(timeout=400)[0]
 
     assert process.returncode != 0
     assert f"simulate, case-{hopeless}" in text
@@ -127,3 +127,14 @@ def test_kill_9_of_snakemake_while_its_jobs_go_on(project, cases, calm, cluster)
     assert "0 cases to simulate" in project.local("--dry-run", "runs").stdout
     assert not list(project.root.rglob("*.part"))
     assert not list((project.root / "results" / "store").glob("*checkpoint*"))
+
+
+def test_one_batch_on_workers_that_are_jobs_of_their_own(project, calm, cluster):
+    before = set(cluster.jobs())
+    done = project.local("runs", config=("cluster=slurm",))
+    assert done.returncode == 0, done.stdout
+    assert_same(project.numbers(), calm.numbers())
+    workers = [cluster.facts(job) for job in set(cluster.jobs()) - before]
+    assert len(workers) > 1
+    assert {(facts["JobName"], facts["TimeLimit"]) for facts in workers} == {("dask-worker", "00:10:00")}
+    assert not list(project.root.glob("slurm-*.out"))

@@ -59,10 +59,12 @@ def draw(dataset: xr.Dataset) -> Figure:
             ends = np.array([0.0, sizes.max()])
             force.plot(ends, np.polyval(np.polyfit(sizes, forces, 1), ends), color=colour, lw=0.8, ls="--")
         force.plot(0.0, _model(runs[0]), marker=5, color=colour, clip_on=False)
-        name = f"$h$ = {depth * 1e3:g} mm, $E_T$ = {tangent * 1e-6:g} MPa, " + (
-            f"{affine:g} affine" if affine else "PIC"
-        )
-        force.plot([], [], symbol, color=colour, label=name)
+    for colour, (depth, tangent) in zip(SERIES * 9, scenes, strict=False):
+        name = f"$h$ = {depth * 1e3:g} mm, $E_T$ = {tangent * 1e-6:g} MPa"
+        force.plot([], [], ls="", marker="o", color=colour, label=name)
+    for affine in sorted({group[2] for group in groups}):
+        name = f"{affine:g} of the gradient" if affine else "PIC"
+        force.plot([], [], ls="", marker="o" if affine else "s", color="0.25", label=name)
     force.set_xlim(left=0)
     force.set_ylim(bottom=0)
     loss.set_ylim(bottom=0)
