@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 from orthocut.cost import estimate_memory, estimate_seconds
 from orthocut.io.files import write_text
 from orthocut.io.store import Entry, Store
-from orthocut.params.case import validate
 from orthocut.params.identity import canonical, result_key
 from orthocut.plan import Plan
 
@@ -31,6 +30,8 @@ class Job(NamedTuple):
     snapshots: int
     seconds: float
     """Predicted run time [s]."""
+    memory_mb: int
+    """Predicted memory [MB]."""
 
 
 class Batch(NamedTuple):
@@ -52,7 +53,7 @@ class Batch(NamedTuple):
     @property
     def memory_mb(self) -> int:
         """Predicted memory of the largest case [MB]."""
-        return max(estimate_memory(validate(json.loads(job.case))) for job in self.jobs)
+        return max(job.memory_mb for job in self.jobs)
 
     def write(self, folder: Path) -> None:
         """Write the batch for the job that will run it."""
@@ -122,8 +123,8 @@ class Survey:
             Predicted run time of a batch on these cores; a case that takes longer by itself is a batch of its own.
         """
         jobs = [
-            Job(case_id, canonical(self.plan.cases[case_id]), self.plan.snapshots[case_id], self.seconds(case_id))
-            for case_id in self.missing
+            Job(case_id, canonical(case), self.plan.snapshots[case_id], self.seconds(case_id), estimate_memory(case))
+            for case_id, case in ((case_id, self.plan.cases[case_id]) for case_id in self.missing)
         ]
         room = 60 * minutes
         long = [[job] for job in jobs if job.seconds > room]

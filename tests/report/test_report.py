@@ -23,11 +23,16 @@ title: A <study> & its "report"
 sweeps:
   cuts: {base: {kind: mpm, numerics: {points_per_depth: 4}}, axes: {product: {cut_depth: [0.5 mm, 1 mm, 2 mm]}}}
   glass: {base: {kind: dem}}
-figures: {nairn2015_fig08: [cuts], nairn2015_animation: [cuts], yang2018_table4: [glass]}
+figures:
+  nairn2015_fig08: [cuts]
+  nairn2015_fig10: [cuts] # was not drawn
+  nairn2015_animation: [cuts]
+  yang2018_table4: [glass]
 """
 PROBE = """
 <script>
 window.addEventListener("load", () => {
+  const ids = [...document.querySelectorAll("[id]")].map(e => e.id);
   const headings = [...document.querySelectorAll("h1,h2,h3")].map(h => Number(h.tagName[1]));
   document.title = "PROBE" + JSON.stringify({
     images: document.images.length,
@@ -39,10 +44,20 @@ window.addEventListener("load", () => {
     jumps: headings.filter((h, k) => k && h > headings[k - 1] + 1).length,
     wide: document.documentElement.scrollWidth > window.innerWidth + 1,
     tables: document.querySelectorAll("table").length,
+    twins: ids.length - new Set(ids).size,
+    width: window.innerWidth,
   });
+  window.parent.postMessage(document.title, "*");
 });
 </script>
 """
+
+
+FRAME = """<!DOCTYPE html><html><head><link rel="icon" href="data:,"></head><body>
+<script>window.addEventListener("message", event => {{ document.title = event.data; }});</script>
+<iframe src="probed.html" width="{width}" height="900" style="border: 0"></iframe></body></html>
+"""
+"""The page in a window of any width; those of a headless browser have a least width."""
 
 
 @pytest.fixture(scope="module")
@@ -73,6 +88,10 @@ def page(tmp_path_factory):
         "claim,source,paper value,ours,error,verdict,evidence\nforce rises,Fig. 8,1,2,0.1,reproduced,nairn2015_fig08\n"
     )
     (results / "tables" / "claims.csv").write_text(claims)
+    for paper, claim in (("nairn2015", "a,nairn2015_fig08"), ("yang2018", "b,nairn2015_fig080")):
+        (results / "published" / paper).mkdir(parents=True)
+        (results / "published" / paper / "claims.csv").write_text(f"a claim,figure\n{claim}\n")
+    (results / "tables" / "nairn2015_animation.csv").write_text("")
     write_page(gather(root / "study.yaml", results, results / "store"), results / "report.html")
     return results / "report.html"
 
@@ -84,15 +103,19 @@ def test_a_browser_finds_nothing_wrong(page, tmp_path, width):
         pytest.skip("chromium is not installed (Debian: chromium)")
     probed = tmp_path / "probed.html"
     probed.write_text(page.read_text(encoding="utf-8").replace("</body>", PROBE + "</body>"), encoding="utf-8")
+    framed = tmp_path / "framed.html"
+    framed.write_text(FRAME.format(width=width), encoding="utf-8")
     command = [
         browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
         "--disable-component-update", "--disable-sync", f"--user-data-dir={tmp_path / 'profile'}",
-        f"--window-size={width},900", "--enable-logging=stderr", "--virtual-time-budget=10000", "--dump-dom",
-        probed.as_uri(),
+        "--window-size=1400,1000", "--enable-logging=stderr", "--virtual-time-budget=10000", "--dump-dom",
+        framed.as_uri(),
     ]  # fmt: skip
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
     found = json.loads(re.search(r"<title>PROBE(.*?)</title>", done.stdout).group(1))
+    assert found["width"] == width
     assert found["images"] == 3
+    assert found["twins"] == 0
     assert found["tables"] >= 4
     assert {name: found[name] for name in ("broken", "unnamed", "jumps")} == {"broken": 0, "unnamed": 0, "jumps": 0}
     assert found["dead"] == []
@@ -116,3 +139,19 @@ def test_what_is_not_there_is_left_out(tmp_path):
     (tmp_path / "study.yaml").write_text(STUDY)
     write_page(gather(tmp_path / "study.yaml", tmp_path, tmp_path / "store"), tmp_path / "report.html")
     assert "0 done, 0 failed, 4 missing" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+def test_claims_stand_at_their_figures_with_their_own_header(page):
+    text = page.read_text(encoding="utf-8")
+    assert text.count('<th scope="col">a claim</th>') == 3  # at fig08 and in both tables of all claims
+    for anchor in ("nairn2015_fig08-claims-nairn2015", "claims-nairn2015", "claims-yang2018", "table-claims"):
+        assert text.count(f'id="{anchor}"') == 1
+    assert "nairn2015_fig08-claims-yang2018" not in text
+
+
+def test_origins_and_run_times_are_those_of_the_results(page):
+    text = page.read_text(encoding="utf-8")
+    origins = text.split('id="origins"')[1].split("</table>")[0]
+    assert sum(map(int, re.findall(r"<tr><td>(\d+)</td>", origins))) == 3
+    times = text.split('id="times-by-kind"')[1].split("</table>")[0]
+    assert re.findall(r"<tr><td>(\w+)</td><td>(\d+)</td>", times) == [("dem_cutting", "0"), ("mpm_cutting", "3")]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import csv
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from importlib.metadata import version
@@ -17,22 +16,12 @@ from orthocut.io.provenance import git_commit
 from orthocut.io.store import Store
 from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures
 from orthocut.plan import Plan, load_plan
+from orthocut.report.sheets import PAPERS, Sheet, claim_sheets, claims_of, origin_sheet, read_sheet, run_time_sheet
 from orthocut.survey import Survey, as_rows, survey
 
-PAPERS = {"nairn2015": "Nairn (2015)", "yang2018": "Yang et al. (2018)"}
 _DENSITY = 1.9
 """Pixels of a picture for one on screen."""
 _TYPES = {".png": "image/png", ".gif": "image/gif"}
-
-
-@dataclass(frozen=True)
-class Sheet:
-    """A table: title, header, rows of texts."""
-
-    title: str
-    header: list[str]
-    rows: list[list[str]]
-    anchor: str
 
 
 @dataclass(frozen=True)
@@ -49,7 +38,7 @@ class Picture:
     animation: str = ""
     """Data URI; empty if there is none."""
     table: Sheet | None = None
-    claims: Sheet | None = None
+    claims: list[Sheet] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -62,7 +51,8 @@ class Content:
     pictures: list[Picture]
     claims: list[Sheet]
     failures: list[tuple[str, str]]
-    times: Sheet | None
+    times: list[Sheet]
+    origins: Sheet
     provenance: list[tuple[str, str]]
     links: list[tuple[str, str, int]] = field(default_factory=list)
     """Sweep, figure, number of cases."""
@@ -82,7 +72,8 @@ def gather(study: Path, results: Path, store: Path) -> Content:
     """
     plan = load_plan(study)
     found = survey(plan, Store(store))
-    claims = _claims(results)
+    claims = claim_sheets(results)
+    each = read_sheet(results / "tables" / "run_times.csv", "Run time and energy balance of each case")
     pictures = [_picture(name, results, claims) for name in plan.figures if _image(name, results).exists()]
     return Content(
         title=plan.title,
@@ -91,7 +82,8 @@ def gather(study: Path, results: Path, store: Path) -> Content:
         pictures=pictures,
         claims=claims,
         failures=[(row["label"], row["reason"]) for row in as_rows(found) if row["state"] == "failed"],
-        times=_sheet(results / "tables" / "run_times.csv", "Run times and energy balance"),
+        times=[run_time_sheet(found), *([each] if each else [])],
+        origins=origin_sheet(found, Store(store)),
         provenance=_provenance(study),
         links=_links(plan),
     )
@@ -113,7 +105,7 @@ def _provenance(study: Path) -> list[tuple[str, str]]:
     packages = ("orthocut", "numpy", "numba", "scipy", "xarray", "matplotlib", "snakemake")
     return [
         ("study", study.name),
-        ("commit", git_commit()),
+        ("commit of this page", git_commit()),
         ("sources of MPM numbers", digest_numbers("mpm")),
         ("sources of DEM numbers", digest_numbers("dem")),
         ("sources of datasets", digest_datasets()),
@@ -135,8 +127,6 @@ def _picture(name: str, results: Path, claims: list[Sheet]) -> Picture:
     paper, _, rest = name.partition("_")
     title = f"{PAPERS[paper]}, {_words(rest)}" if paper in PAPERS else _words(name)
     motion = results / "animations" / f"{name}.gif"
-    mine = [[row for row in sheet.rows if name in " ".join(row)] for sheet in claims]
-    rows = [row for found in mine for row in found]
     return Picture(
         anchor=name,
         title=title,
@@ -144,8 +134,8 @@ def _picture(name: str, results: Path, claims: list[Sheet]) -> Picture:
         image=_uri(_image(name, results)),
         width=round(_width(_image(name, results)) / _DENSITY),
         animation=_uri(motion) if motion.exists() else "",
-        table=_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
-        claims=Sheet("Claims", claims[0].header, rows, f"{name}-claims") if rows else None,
+        table=read_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
+        claims=claims_of(name, claims),
     )
 
 
@@ -161,21 +151,6 @@ def _words(name: str) -> str:
         if number != name and number.isdigit():
             return f"{long}{int(number)}"
     return name.replace("_", " ")
-
-
-def _claims(results: Path) -> list[Sheet]:
-    """Tables of claims, of the study and published ones."""
-    paths = [*sorted(results.glob("tables/claims*.csv")), *sorted(results.glob("published/*/claims.csv"))]
-    return [_sheet(path, f"Claims: {path.parent.name} {path.stem}") for path in paths]
-
-
-def _sheet(path: Path, title: str) -> Sheet | None:
-    """Table of a CSV file; None if there is none."""
-    if not path.exists():
-        return None
-    with open(path, newline="", encoding="utf-8") as file:
-        header, *rows = csv.reader(file)
-    return Sheet(title, header, rows, f"table-{path.stem}")
 
 
 def _uri(path: Path) -> str:

@@ -21,15 +21,19 @@ def write(content: Content, path: Path) -> None:
         loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     template = environment.get_template("page.html.j2")
-    write_text(template.render(content=content, dag=dag(content.links)), path)
+    write_text(
+        template.render(content=content, dag=dag(content.links, {picture.anchor for picture in content.pictures})), path
+    )
 
 
-def dag(links: list[tuple[str, str, int]]) -> Markup:
+def dag(links: list[tuple[str, str, int]], drawn: set[str]) -> Markup:
     """Drawing of which sweeps go into which figures, as SVG; the numbers are cases.
 
     Parameters
     ----------
     links : list of (sweep, figure, number of cases)
+    drawn : set of str
+        Figures that the page shows; only their names are links.
     """
     sweeps = {sweep: count for sweep, _, count in links}
     figures = list(dict.fromkeys(figure for _, figure, _ in links))
@@ -50,10 +54,9 @@ def dag(links: list[tuple[str, str, int]]) -> Markup:
         f'<text x="{_LEFT - 8}" y="{y + 4:.0f}" text-anchor="end">{escape(name)} ({sweeps[name]})</text>'
         for name, y in left.items()
     ]
-    parts += [
-        f'<a href="#{escape(name)}"><text x="{_RIGHT + 8}" y="{y + 4:.0f}">{escape(name)}</text></a>'
-        for name, y in right.items()
-    ]
+    for name, y in right.items():
+        text = f'<text x="{_RIGHT + 8}" y="{y + 4:.0f}">{escape(name)}</text>'
+        parts.append(f'<a href="#{escape(name)}">{text}</a>' if name in drawn else text)
     label = "Sweeps on the left, with their numbers of cases, and the figures that draw them on the right"
     head = f'<svg class="dag" role="img" aria-label="{label}" viewBox="0 0 {_WIDE} {height}">'
     return Markup(head + "".join(parts) + "</svg>")
