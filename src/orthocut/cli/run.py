@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from orthocut.cli.common import Json, guarded, parse_settings, print_json, progress_bar
-from orthocut.params.block import ConfigError
+from orthocut.params.block import CaseFailed, ConfigError
 
 if TYPE_CHECKING:
     import xarray
@@ -63,12 +63,23 @@ def run(
     from orthocut.params.identity import result_key
     from orthocut.run import run_case
 
-    checkpoint = Checkpoint(path.with_name(f".{path.name}.checkpoint.npz"), result_key(checked))
-    if checkpoint.path.exists() and not quiet:
-        typer.echo(f"going on from {checkpoint.path}", err=True)
-    with progress_bar(path.name, quiet or as_json) as progress:
-        dataset = run_case(checked, progress, checkpoint)
-        write(dataset, path)
+    def announce(seconds: float) -> None:
+        if not quiet:
+            typer.echo(f"going on after {seconds:.0f} s of an earlier run", err=True)
+
+    hidden = path.with_name(f".{path.name}.checkpoint.npz")
+    checkpoint = Checkpoint(hidden, result_key(checked), announce=announce)
+    try:
+        with progress_bar(path.name, quiet or as_json) as progress:
+            dataset = run_case(checked, progress, checkpoint)
+            write(dataset, path)
+    except KeyboardInterrupt:
+        if hidden.exists():
+            typer.echo(f"the same command goes on from {hidden}", err=True)
+        raise
+    except CaseFailed:
+        checkpoint.remove()
+        raise
     checkpoint.remove()
     results = summary(dataset)
     if as_json:

@@ -29,12 +29,19 @@ class Checkpoint:
         Wall time between checkpoints [s].
     clock : callable
         Seconds that never jump.
+    announce : callable
+        Receives the run time so far when a run goes on from an earlier one [s].
     """
 
     def __init__(
-        self, path: Path, key: str, every: float = INTERVAL, clock: Callable[[], float] = time.monotonic
+        self,
+        path: Path,
+        key: str,
+        every: float = INTERVAL,
+        clock: Callable[[], float] = time.monotonic,
+        announce: Callable[[float], None] = lambda seconds: None,
     ) -> None:
-        self.path, self.key, self.every, self.clock = Path(path), key, every, clock
+        self.path, self.key, self.every, self.clock, self.announce = Path(path), key, every, clock, announce
         self._begun = self._last = clock()
         self._earlier = 0.0
         self._warned = False
@@ -58,6 +65,7 @@ class Checkpoint:
             self._set_aside("it belongs to another result")
             return None
         self._earlier = float(state.pop("seconds"))
+        self.announce(self._earlier)
         return state
 
     def offer(self, make: Callable[[], Mapping[str, np.ndarray]]) -> bool:
