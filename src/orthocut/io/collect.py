@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection, Iterable, Mapping
+from importlib.metadata import version
 from typing import Any
 
 import numpy as np
@@ -87,6 +88,7 @@ def collect(datasets: Iterable[xr.Dataset], title: str = "", dims: Collection[st
     result.attrs = {
         "Conventions": "CF-1.11",
         "title": title,
+        "history": f"collected from {len(runs)} results by orthocut {version('orthocut')}",
         "case_ids": ", ".join(run.attrs["case_id"] for run in runs),
     }
     for name in _SHARED:

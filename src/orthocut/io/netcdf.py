@@ -21,7 +21,16 @@ def write(dataset: xr.Dataset, path: str | Path) -> None:
         if variable.ndim and np.issubdtype(variable.dtype, np.number)
     }
     with replacing(path) as temporary:
-        dataset.to_netcdf(temporary, engine="netcdf4", encoding=kept)
+        _with_typed_flags(dataset).to_netcdf(temporary, engine="netcdf4", encoding=kept)
+
+
+def _with_typed_flags(dataset: xr.Dataset) -> xr.Dataset:
+    """Copy whose flag values have the type of their variable, as CF wants."""
+    result = dataset.copy()
+    for variable in result.variables.values():
+        if "flag_values" in variable.attrs:
+            variable.attrs["flag_values"] = np.asarray(variable.attrs["flag_values"], variable.dtype)
+    return result
 
 
 def declared(variable: xr.Variable) -> dict[str, Any]:
