@@ -69,13 +69,13 @@ def test_counts_constants_and_what_is_no_number_are_exact(values, tmp_path):
 
 def test_joined_samples_are_what_a_run_with_fewer_samples_gives():
     run = long_run(500)
-    thinned = encoding.thin(run)
+    thinned = encoding.thin(run, encoding.ROOMS[0])
     assert thinned.sizes["sample"] == 250
     force, energy = run["force_cutting"].values, run["energy_elastic"].values
     np.testing.assert_allclose(thinned["force_cutting"], 0.5 * (force[::2] + force[1::2]))
     np.testing.assert_array_equal(thinned["energy_elastic"], energy[1::2])
     assert thinned["time"][-1] == run["time"][-1]
-    assert encoding.thin(long_run(200)).sizes["sample"] == 200
+    assert encoding.thin(long_run(200), encoding.ROOMS[0]).sizes["sample"] == 200
 
 
 @pytest.mark.parametrize("kind", RUNS)
@@ -96,3 +96,13 @@ def test_fields_keep_positions_to_a_thousandth_of_a_particle(kind, tmp_path):
 def test_a_failed_result_is_kept(tmp_path):
     failed = failed_result(case_of(RUNS["mpm"]), "diverged at 3 µs", 2.5)
     assert stored(failed, tmp_path / "run.nc").identical(failed)
+
+
+def test_more_samples_are_joined_where_attributes_take_the_room(tmp_path):
+    run = long_run()
+    stored(run, tmp_path / "plain.nc")
+    run.attrs["failure"] = "x" * 6000
+    found = stored(run, tmp_path / "wordy.nc")
+    assert (tmp_path / "wordy.nc").stat().st_size <= encoding.SMALL_BYTES
+    assert found.sizes["sample"] < netcdf.read(tmp_path / "plain.nc").sizes["sample"]
+    assert float(found["work_tool"][-1]) == pytest.approx(float(run["work_tool"][-1]), rel=1e-3, abs=1e-2)

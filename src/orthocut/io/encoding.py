@@ -15,8 +15,10 @@ import xarray as xr
 
 STEPS = 65_000
 """Steps into which the range of a history is divided: it is stored to within 1 / (2 STEPS) of its range."""
-HISTORY_BYTES = 12_000
-"""Room for the histories of a small file; beyond, neighbouring samples are joined."""
+SMALL_BYTES = 19_700
+"""Largest small file; with its seal it stays below 20 kB."""
+ROOMS = (12_000, 9_000, 6_000, 3_000)
+"""Bytes for the histories of a small file, the first that make it small enough; neighbouring samples are joined to fit."""
 DIGITS = 4
 """Significant digits of fields other than positions, which keep all that single precision holds."""
 FILL = np.int16(-32768)
@@ -33,7 +35,13 @@ def is_small(dataset: xr.Dataset) -> bool:
 
 def write_small(dataset: xr.Dataset, path: Path) -> None:
     """Write single numbers and histories; every double that is not a history is kept exactly."""
-    stored = thin(dataset)
+    for room in ROOMS:
+        _write_classic(thin(dataset, room), path)
+        if path.stat().st_size <= SMALL_BYTES:
+            return
+
+
+def _write_classic(stored: xr.Dataset, path: Path) -> None:
     for name, variable in stored.variables.items():
         known = {key: value for key, value in variable.attrs.items() if key != "symbol"}
         values, packing = pack(variable.values) if variable.ndim else (variable.values, {})
@@ -77,8 +85,8 @@ def smallest(values: np.ndarray) -> str:
     )
 
 
-def thin(dataset: xr.Dataset) -> xr.Dataset:
-    """Join neighbouring samples until the histories fit: means of means, the last of other values.
+def thin(dataset: xr.Dataset, room: int) -> xr.Dataset:
+    """Join neighbouring samples until the histories fit into some bytes: means of means, the last of other values.
 
     Returns
     -------
@@ -87,7 +95,7 @@ def thin(dataset: xr.Dataset) -> xr.Dataset:
     """
     count = sum("sample" in variable.dims for variable in dataset.variables.values())
     size = dataset.sizes.get("sample", 0)
-    factor = -(-2 * size * count // HISTORY_BYTES)
+    factor = -(-2 * size * count // room)
     if factor < 2:
         return dataset.copy()
     groups = dataset.isel(sample=slice(size % factor, None)).coarsen(sample=factor)
