@@ -84,6 +84,7 @@ benchmark: $(STAMP) ## measure the cost of a step of each method for several siz
 benchmark-workflow: $(STAMP) ## measure what the workflow costs beside the simulations, and run the fault matrix
 	@$(BIN)/python benchmarks/workflow.py
 	@$(BIN)/python benchmarks/faults.py
+	@$(BIN)/python benchmarks/checkpoints.py
 
 clean: ## remove the environment and the results, except the published ones
 	rm -rf $(VENV) .snakemake
