@@ -18,7 +18,7 @@ STEPS = 65_000
 SMALL_BYTES = 19_700
 """Largest small file; with its seal it stays below 20 kB."""
 ROOMS = (12_000, 9_000, 6_000, 3_000)
-"""Bytes for the histories of a small file, the first that make it small enough; neighbouring samples are joined to fit."""
+"""Bytes for the histories of a small file, tried in turn until it is small enough; samples are joined to fit."""
 DIGITS = 4
 """Significant digits of fields other than positions, which keep all that single precision holds."""
 FILL = np.int16(-32768)
