@@ -1,7 +1,8 @@
 """Simulate what the store lacks: one job a long case, one job for many short ones.
 
 Results are no outputs: Snakemake removes the outputs of jobs that fail or start again. The mark of a batch is
-temporary; a case that is in the store is no part of the DAG.
+temporary; a case that is in the store is no part of the DAG. A job on a cluster holds two processes of Snakemake beside
+the workers, some 200 MB each: hence the 600 MB.
 """
 
 
@@ -17,7 +18,7 @@ rule simulate:
         "../envs/orthocut.yaml"
     threads: lambda wildcards: min(len(batch_of(wildcards).jobs), OPTIONS.batch_cores)
     resources:
-        mem_mb=lambda wildcards, threads, attempt: attempt * threads * batch_of(wildcards).memory_mb,
+        mem_mb=lambda wildcards, threads, attempt: attempt * (600 + threads * batch_of(wildcards).memory_mb),
         runtime=minutes,
     params:
         batch=f"{RESULTS}/batches/{{batch}}.json",
