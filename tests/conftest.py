@@ -46,3 +46,13 @@ def pytest_configure(config):
 def pytest_collection_modifyitems(items):
     """Start with the tests of the workflow: they run one after another and take longest."""
     items.sort(key=lambda item: "tests/workflow/" not in item.nodeid)
+
+
+def pytest_collection_finish(session):
+    """Stop where pytest-xdist cannot keep the tests of a group on one worker, as it could not with pytest 9.2.0.
+
+    Two of Slurm's tests at a time would take each other's cluster away.
+    """
+    grouped = [item for item in session.items if item.get_closest_marker("xdist_group")]
+    if getattr(session.config.option, "loadgroup", False) and not all("@" in item.nodeid for item in grouped):
+        raise pytest.UsageError("pytest-xdist does not see the groups of tests: install pytest < 9.2")
