@@ -66,6 +66,7 @@ VARIABLES: dict[str, Variable] = {
     "notch_ratio": Variable("a", "1", "length of the notch over depth of cut"),
     "courant": Variable("C", "1", "Courant number"),
     "affine": Variable("", "1", "share of the velocity gradient that points hand on"),
+    "support": Variable("", "1", "share of a cell's mass below which nodes follow others"),
     "ramp_fraction": Variable("", "1", "fraction of the duration in which the tool speeds up"),
     "ramp_feedback": Variable("g", "m-2", "gain of the feedback damping", "mm$^{-2}$", 1e-6),
     "packing_width": Variable("W", "m", "width of the packing", *_MM),

@@ -104,6 +104,7 @@ def build(case: MpmCutting) -> State:
             count_y=below + above + 1,
             last_clamped_row=below - base_rows // 2,
             mass_small=_MASS_SMALL * solid.density * cell**2,
+            mass_firm=case.numerics.support * solid.density * cell**2,
             time_step=case.time_step,
             affine=case.numerics.affine,
         ),

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from orthocut.kernels.mpm import interface, layout, points, step
+from orthocut.kernels.mpm import interface, layout, points, step, support
 from orthocut.kernels.mpm.frame import Workspace
 from orthocut.mpm.state import State
 
@@ -40,9 +40,12 @@ class Solver:
             lanes=_aligned_zeros(layout.WORK),
             near=np.zeros((2, lanes), dtype=np.int64),
             marked=np.zeros(nodes, dtype=np.int64),
+            listed=np.zeros(nodes, dtype=np.int64),
             closing=np.zeros(nodes, dtype=np.int64),
             closing_normal=np.zeros((nodes, 2)),
             closing_slot=np.full(nodes, -1, dtype=np.int64),
+            loose=np.zeros((2, nodes), dtype=np.int64),
+            loose_weights=np.zeros((2, nodes, support.DIRECTIONS)),
         )
         self._current = 0
         self._mass = float(state.field(layout.MASS).sum())

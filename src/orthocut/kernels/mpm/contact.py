@@ -19,7 +19,6 @@ from orthocut.kernels.mpm.layout import (
     LANES,
     MASS,
     NM,
-    NMARK,
     NODE,
     NPX,
     NPY,
@@ -81,15 +80,15 @@ def list_near_points(near, points, blocks, body, wedge, tip, reach):
 
 
 @part
-def mark_contact_nodes(marked, grid, points, near, near_count, body, wedge, tip, frame):
+def mark_contact_nodes(marked, listed, points, near, near_count, body, wedge, tip, frame):
     """List the nodes of a body that serve a point which reaches through its face of the tool.
 
     Parameters
     ----------
     marked : int array
         Receives the offsets of the nodes.
-    grid : float array
-        Nodes of the body; the mark of each listed node is set.
+    listed : int array, shape (n_nodes,)
+        Work space, zero everywhere; left so.
     points : float array
         Points of all bodies.
     near, near_count
@@ -126,10 +125,12 @@ def mark_contact_nodes(marked, grid, points, near, near_count, body, wedge, tip,
             for row in range(j - 1, j + 2):
                 for column in range(i - 1, i + 2):
                     at = (row * frame.count_x + column) * NODE
-                    if grid[at + NMARK] == 0.0:
-                        grid[at + NMARK] = 1.0
+                    if listed[at // NODE] == 0:
+                        listed[at // NODE] = 1
                         marked[count] = at
                         count += 1
+    for k in range(count):
+        listed[marked[k] // NODE] = 0
     return count
 
 
@@ -156,8 +157,6 @@ def push_with_tool(grid, marked, marked_count, body, wedge, speed, frame):
     -------
     impulse_x, impulse_y : float
         Impulse of the tool on the body [N s/m].
-    change : float
-        Change of the kinetic energy of the nodes [J/m].
     lost_impact, lost_friction : float
         Work of the tool that did not reach the nodes: in impacts and in friction [J/m]. Impulses act at the mean
         velocity of the step, as all forces do.
@@ -167,7 +166,7 @@ def push_with_tool(grid, marked, marked_count, body, wedge, speed, frame):
     else:
         nx, ny = math.cos(wedge.rake_angle), -math.sin(wedge.rake_angle)
     friction = wedge.friction
-    impulse_x = impulse_y = change = lost_impact = lost_friction = 0.0
+    impulse_x = impulse_y = lost_impact = lost_friction = 0.0
     for k in range(marked_count):
         at = marked[k]
         mass = grid[at + NM]
@@ -195,9 +194,8 @@ def push_with_tool(grid, marked, marked_count, body, wedge, speed, frame):
         lost_friction += (jx - pressed * nx) * (lag_x - lag_normal * nx) + (jy - pressed * ny) * (
             lag_y - lag_normal * ny
         )
-        change += jx * (vx + 0.5 * jx / mass) + jy * (vy + 0.5 * jy / mass)
         grid[at + NVX] = end_x
         grid[at + NVY] = end_y
         impulse_x += jx
         impulse_y += jy
-    return impulse_x, impulse_y, change, lost_impact, lost_friction
+    return impulse_x, impulse_y, lost_impact, lost_friction

@@ -24,6 +24,8 @@ class Frame(NamedTuple):
     """Rows of the base up to this one are clamped in both directions."""
     mass_small: float
     """Nodes of less mass are skipped [kg/m]."""
+    mass_firm: float
+    """Nodes of less mass follow the firm ones beside them [kg/m]; 0 leaves all nodes alone."""
     time_step: float
     """Time step [s]."""
     affine: float
@@ -80,9 +82,15 @@ class Workspace(NamedTuple):
     """Points near the tool, block * LANES + lane, shape (2, n_lanes)."""
     marked: np.ndarray
     """Offsets of the nodes that touch the tool, shape (n_nodes,)."""
+    listed: np.ndarray
+    """1 for the nodes that are already listed, shape (n_nodes,); 0 everywhere outside of the search."""
     closing: np.ndarray
     """Offsets of the nodes around closed pairs of the interface, shape (n_nodes,)."""
     closing_normal: np.ndarray
     """Sums of the normals of the pairs around those nodes, shape (n_nodes, 2)."""
     closing_slot: np.ndarray
     """Place of each node in `closing`; -1 everywhere outside of the search, shape (n_nodes,)."""
+    loose: np.ndarray
+    """Nodes of each body that follow the firm ones beside them, shape (2, n_nodes)."""
+    loose_weights: np.ndarray
+    """Weights of the lines of firm nodes that they follow, shape (2, n_nodes, 8)."""

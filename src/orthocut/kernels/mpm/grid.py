@@ -2,6 +2,7 @@
 
 from orthocut.kernels.jit import part
 from orthocut.kernels.mpm.layout import NFX, NFY, NM, NMARK, NODE, NPX, NPY, NVX, NVY
+from orthocut.kernels.mpm.support import LOOSE
 
 
 @part
@@ -14,15 +15,14 @@ def clear_grid(grid, extent, frame):
 
 
 @part
-def update_grid(grid, grid_before, extent, frame, last_clamped_row, damping):
+def update_grid(grid, extent, frame, last_clamped_row, damping):
     """New velocities of the nodes from momentum, force and damping; clamped nodes stand still.
 
     Parameters
     ----------
     grid : float array
-        Nodes of one body; velocities are set, marks cleared.
-    grid_before : float array, same shape
-        Nodes at the end of the step before, with their velocities then.
+        Nodes of one body; velocities are set. Marks hold masses that move with the nodes beside their own, and are
+        cleared; loose nodes are left alone, see `orthocut.kernels.mpm.support`.
     extent : int array, shape (4,)
         First and last column, first and last row of the nodes in use.
     frame : Frame
@@ -34,27 +34,24 @@ def update_grid(grid, grid_before, extent, frame, last_clamped_row, damping):
 
     Returns
     -------
-    kinetic, kinetic_new : float
-        Kinetic energy of the nodes that are free, before and after the update [J/m].
+    kinetic : float
+        Kinetic energy of the nodes that are free, before the update [J/m].
     damped : float
         Energy removed by damping [J/m].
-    drag : float
-        Energy lost where forces act on velocities that the transfers have changed since the step before [J/m]: points
-        deform with the velocities at the ends of steps, so a force works on the mean of two of these, but it changes
-        the kinetic energy by its product with the mean of the velocities before and after this update.
     impulse_x, impulse_y : float
         Impulse of the clamp on the body [N s/m].
     """
     time_step = frame.time_step
-    kinetic = kinetic_new = damped = drag = impulse_x = impulse_y = 0.0
+    kinetic = damped = impulse_x = impulse_y = 0.0
     for j in range(extent[2], extent[3] + 1):
         clamped = j <= last_clamped_row
         row = j * frame.count_x
         for at in range((row + extent[0]) * NODE, (row + extent[1] + 1) * NODE, NODE):
             mass = grid[at + NM]
-            grid[at + NMARK] = 0.0
-            if mass <= frame.mass_small:
+            mark = grid[at + NMARK]
+            if mark == LOOSE or mass <= frame.mass_small:
                 continue
+            grid[at + NMARK] = 0.0
             px, py = grid[at + NPX], grid[at + NPY]
             fx, fy = grid[at + NFX], grid[at + NFY]
             if clamped:
@@ -64,13 +61,43 @@ def update_grid(grid, grid_before, extent, frame, last_clamped_row, damping):
                 grid[at + NVY] = 0.0
                 continue
             vx, vy = px / mass, py / mass
-            new_vx = vx + time_step * (fx / mass - damping * vx)
-            new_vy = vy + time_step * (fy / mass - damping * vy)
+            rate = time_step / (mass + mark)
+            new_vx = vx + rate * fx - time_step * damping * vx
+            new_vy = vy + rate * fy - time_step * damping * vy
             grid[at + NVX] = new_vx
             grid[at + NVY] = new_vy
             kinetic += 0.5 * (px * vx + py * vy)
-            kinetic_new += 0.5 * mass * (new_vx * new_vx + new_vy * new_vy)
             damped += 0.5 * time_step * damping * (px * (vx + new_vx) + py * (vy + new_vy))
+    return kinetic, damped, impulse_x, impulse_y
+
+
+@part
+def work_of_forces(grid, grid_before, extent, frame):
+    """Work of the forces of a step on the nodes, loose ones left out [J/m].
+
+    Points deform and pairs of the interface move with the velocities at the ends of steps. A force is that of the time
+    between two of these, and works on the mean of both, contact included.
+
+    Parameters
+    ----------
+    grid : float array
+        Nodes of one body with their velocities at the end of the step.
+    grid_before : float array, same shape
+        Nodes at the end of the step before, with their velocities then.
+    extent : int array, shape (4,)
+        Columns and rows in use.
+    frame : Frame
+        Grid and time step.
+    """
+    work = 0.0
+    for j in range(extent[2], extent[3] + 1):
+        row = j * frame.count_x
+        for at in range((row + extent[0]) * NODE, (row + extent[1] + 1) * NODE, NODE):
+            if grid[at + NM] <= frame.mass_small or grid[at + NMARK] == LOOSE:
+                continue
+            work += grid[at + NFX] * grid[at + NVX] + grid[at + NFY] * grid[at + NVY]
             if grid_before[at + NM] > frame.mass_small:
-                drag += fx * (grid_before[at + NVX] - vx) + fy * (grid_before[at + NVY] - vy)
-    return kinetic, kinetic_new, damped, 0.5 * time_step * drag, impulse_x, impulse_y
+                work += grid[at + NFX] * grid_before[at + NVX] + grid[at + NFY] * grid_before[at + NVY]
+            else:
+                work += (grid[at + NFX] * grid[at + NPX] + grid[at + NFY] * grid[at + NPY]) / grid[at + NM]
+    return 0.5 * frame.time_step * work

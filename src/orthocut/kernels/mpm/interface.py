@@ -181,12 +181,10 @@ def push_apart(chip, base, closing, closing_normal, count, frame):
 
     Returns
     -------
-    change : float
-        Change of the kinetic energy of the nodes [J/m].
-    lost : float
+    float
         Energy lost in impacts, with impulses acting at the mean velocity of the step [J/m].
     """
-    change = lost = 0.0
+    lost = 0.0
     for k in range(count):
         at = closing[k]
         mass_chip, mass_base = chip[at + NM], base[at + NM]
@@ -205,9 +203,8 @@ def push_apart(chip, base, closing, closing_normal, count, frame):
         chip[at + NVY] -= mass * approach * ny / mass_chip
         base[at + NVX] += mass * approach * nx / mass_base
         base[at + NVY] += mass * approach * ny / mass_base
-        change -= 0.5 * mass * approach * approach
         lost += 0.5 * mass * approach * start
-    return change, lost
+    return lost
 
 
 @part

@@ -28,7 +28,7 @@ WORK = 35 * LANES
 # quantities of a node
 NM = 0  # mass [kg/m]
 NPX, NPY = 1, 2  # momentum per unit width [kg/s]
-NMARK = 3  # marks of the contact pass: 0 none, 1 touches the tool
+NMARK = 3  # mass of loose nodes that the node carries along [kg/m], or that it is loose itself, see support.py
 NFX, NFY = 4, 5  # force [N/m]
 NVX, NVY = 6, 7  # velocity at the end of the step [m/s]
 NODE = 8

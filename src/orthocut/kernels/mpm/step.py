@@ -8,10 +8,11 @@ import math
 
 from orthocut.kernels.jit import jit
 from orthocut.kernels.mpm.contact import list_near_points, mark_contact_nodes, push_with_tool
-from orthocut.kernels.mpm.grid import clear_grid, update_grid
+from orthocut.kernels.mpm.grid import clear_grid, update_grid, work_of_forces
 from orthocut.kernels.mpm.interface import move_pairs, pull_together, push_apart, set_normals
 from orthocut.kernels.mpm.layout import BASE, CHIP
 from orthocut.kernels.mpm.points import advance_points
+from orthocut.kernels.mpm.support import follow_firm_nodes, lean_on_firm_nodes, work_of_loose_forces
 
 # totals since the start
 CHIP_X, CHIP_Y, BASE_X, BASE_Y = 0, 1, 2, 3  # impulse of the tool on each body [N s/m]
@@ -88,43 +89,54 @@ def run_steps(
             totals[TIME],
             frame,
         )
-        kinetic_old = kinetic_new = 0.0
+        kinetic_old = work = 0.0
+        loose_chip = loose_base = 0
         for body in (CHIP, BASE):
-            before, after, damped, drag, clamp_x, clamp_y = update_grid(
-                grids[body, current],
-                grids[body, 1 - current],
-                extents[body, current],
-                frame,
-                frame.last_clamped_row if body == BASE else -1,
-                totals[DAMPING] if ramping else 0.0,
+            grid, extent = grids[body, current], extents[body, current]
+            last_clamped_row = frame.last_clamped_row if body == BASE else -1
+            loose, weights = space.loose[body], space.loose_weights[body]
+            count = 0
+            if frame.mass_firm > 0.0:
+                count = lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row)
+            before, damped, clamp_x, clamp_y = update_grid(
+                grid, extent, frame, last_clamped_row, totals[DAMPING] if ramping else 0.0
             )
+            follow_firm_nodes(grid, loose, weights, count, frame)
+            if body == CHIP:
+                loose_chip = count
+            else:
+                loose_base = count
             kinetic_old += before
-            kinetic_new += after
+            work -= damped
             totals[DAMPED] += damped
-            totals[NUMERICAL] += drag
             totals[CLAMP_X] += clamp_x
             totals[CLAMP_Y] += clamp_y
         if ramping:
             totals[DAMPING] += 2.0 * frame.time_step * wedge.feedback * kinetic_old / mass_body
 
-        change, lost = push_apart(chip, base, space.closing, space.closing_normal, closed, frame)
-        kinetic_new += change
+        lost = push_apart(chip, base, space.closing, space.closing_normal, closed, frame)
+        work -= lost
         totals[IMPACT] += lost
         for body in (CHIP, BASE):
-            grid = grids[body, current]
             near = near_chip if body == CHIP else near_base
             count = mark_contact_nodes(
-                space.marked, grid, points, space.near[body], near, body, wedge, totals[TIP], frame
+                space.marked, space.listed, points, space.near[body], near, body, wedge, totals[TIP], frame
             )
-            impulse_x, impulse_y, change, impact, friction = push_with_tool(
-                grid, space.marked, count, body, wedge, speed, frame
+            impulse_x, impulse_y, impact, friction = push_with_tool(
+                grids[body, current], space.marked, count, body, wedge, speed, frame
             )
-            kinetic_new += change
+            work -= impulse_x * speed + impact + friction
             totals[CHIP_X + 2 * body] += impulse_x
             totals[CHIP_Y + 2 * body] += impulse_y
             totals[WORK] -= impulse_x * speed
             totals[IMPACT] += impact
             totals[FRICTION] += friction
+        for body in (CHIP, BASE):
+            grid, grid_before = grids[body, current], grids[body, 1 - current]
+            loose, weights = space.loose[body], space.loose_weights[body]
+            work += work_of_forces(grid, grid_before, extents[body, current], frame)
+            count = loose_chip if body == CHIP else loose_base
+            work += work_of_loose_forces(grid, grid_before, loose, weights, count, frame)
 
         totals[COHESIVE] += move_pairs(interface, chip, base, frame)
         kinetic = 0.0
@@ -141,7 +153,7 @@ def run_steps(
                 frame,
                 frame.time_step,
             )
-        totals[NUMERICAL] += totals[KINETIC] - kinetic_old + kinetic_new - kinetic
+        totals[NUMERICAL] += totals[KINETIC] - kinetic + work
         totals[KINETIC] = kinetic
         totals[TIP] -= frame.time_step * speed
         totals[TIME] += frame.time_step
