@@ -68,10 +68,11 @@ def build(case: MpmCutting) -> State:
     above = math.ceil((1.0 + _HEADROOM) * n / 2) + 3
 
     notch = round(case.workpiece.notch_ratio * n)
-    interface = np.zeros((pairs.INTERFACE_ROWS, columns - notch))
-    interface[pairs.UPPER_X] = interface[pairs.LOWER_X] = (np.arange(columns - notch) + 0.5) * spacing
+    interface = np.zeros((pairs.INTERFACE_ROWS, columns))
+    interface[pairs.UPPER_X] = interface[pairs.LOWER_X] = (np.arange(columns) + 0.5) * spacing
     interface[pairs.NORMAL_Y] = 1.0
-    interface[pairs.ALIVE] = 1.0
+    interface[pairs.ALIVE, : columns - notch] = 1.0
+    interface[pairs.PRESENT] = 1.0
     interface[pairs.FAILED_AT] = np.nan
     interface[pairs.MODE_ONE] = np.nan
 

@@ -3,7 +3,8 @@
 Pairs of massless copies stand along the cutting path; the upper copy moves with the chip, the lower one with the base,
 both with the mass-weighted velocity of the four nodes around them. Weights by mass bound the stiffness that a pair
 gives to a node by the mass of the node: weights by distance alone let nodes of little mass vibrate until the interface
-breaks far from the tool. The opening is upper minus lower.
+breaks far from the tool. The opening is upper minus lower. A pair that has failed carries no traction, but keeps chip
+and base from running into each other as long as it is ahead of the tool.
 """
 
 import math
@@ -17,10 +18,11 @@ UPPER_X, UPPER_Y, LOWER_X, LOWER_Y = 0, 1, 2, 3  # positions [m]
 PEAK_NORMAL, PEAK_TANGENT = 4, 5  # largest openings so far [m]
 TRACTION_X, TRACTION_Y = 6, 7  # traction on the base [Pa]
 NORMAL_X, NORMAL_Y = 8, 9  # unit normal from base to chip
-ALIVE = 10  # 1 while the pair carries tractions, 0 after failure
+ALIVE = 10  # 1 while the pair carries tractions, 0 after failure and in the notch
+PRESENT = 13  # 1 while the pair is looked at: after failure until it is wide open or the tool has passed
 MODE_ONE = 11  # energy released in mode I over both modes, at failure
 FAILED_AT = 12  # time of failure [s]
-INTERFACE_ROWS = 13
+INTERFACE_ROWS = 14
 
 
 @part
@@ -95,7 +97,7 @@ def set_normals(interface):
 
 
 @part
-def pull_together(interface, chip, base, closing, closing_normal, closing_slot, cohesion, time, frame):
+def pull_together(interface, chip, base, closing, closing_normal, closing_slot, cohesion, time, tip, frame):
     """Add the tractions of all living pairs to the nodes; list the nodes where the interface is closed.
 
     Parameters
@@ -114,6 +116,8 @@ def pull_together(interface, chip, base, closing, closing_normal, closing_slot, 
         Cohesive law.
     time : float
         Time, logged at failure [s].
+    tip : float
+        Place of the tool tip along the cut [m].
     frame : Frame
         Grid.
 
@@ -127,49 +131,48 @@ def pull_together(interface, chip, base, closing, closing_normal, closing_slot, 
     energy_critical = energy_released(opening_critical, opening_critical, strength)
     count = 0
     for k in range(interface.shape[1]):
-        if interface[ALIVE, k] == 0.0:
+        if interface[PRESENT, k] == 0.0:
             continue
         nx, ny = interface[NORMAL_X, k], interface[NORMAL_Y, k]
         opening_x = interface[UPPER_X, k] - interface[LOWER_X, k]
         opening_y = interface[UPPER_Y, k] - interface[LOWER_Y, k]
         normal = opening_x * nx + opening_y * ny
         tangent = opening_x * ny - opening_y * nx
-        one = energy_released(max(normal, 0.0), opening_critical, strength)
-        two = energy_released(abs(tangent), opening_critical, strength)
-        if one + two >= energy_critical or normal > opening_critical or abs(tangent) > opening_critical:
-            interface[ALIVE, k] = 0.0
-            interface[TRACTION_X, k] = interface[TRACTION_Y, k] = 0.0
-            interface[MODE_ONE, k] = one / (one + two)
-            interface[FAILED_AT, k] = time
-            continue
-        interface[PEAK_NORMAL, k] = max(interface[PEAK_NORMAL, k], normal)
-        interface[PEAK_TANGENT, k] = max(interface[PEAK_TANGENT, k], abs(tangent))
-        pull = traction_over_opening(interface[PEAK_NORMAL, k], opening_critical, strength) * max(normal, 0.0)
-        shear = traction_over_opening(interface[PEAK_TANGENT, k], opening_critical, strength) * tangent
-        interface[TRACTION_X, k] = pull * nx + shear * ny
-        interface[TRACTION_Y, k] = pull * ny - shear * nx
-        force_x = area * interface[TRACTION_X, k]
-        force_y = area * interface[TRACTION_Y, k]
-        spread(
-            chip,
-            interface[UPPER_X, k],
-            interface[UPPER_Y, k],
-            -force_x,
-            -force_y,
-            frame,
-        )
-        spread(base, interface[LOWER_X, k], interface[LOWER_Y, k], force_x, force_y, frame)
+        if interface[ALIVE, k] == 0.0:
+            if normal > frame.cell or min(interface[UPPER_X, k], interface[LOWER_X, k]) > tip:
+                interface[PRESENT, k] = 0.0
+                continue
+        else:
+            one = energy_released(max(normal, 0.0), opening_critical, strength)
+            two = energy_released(abs(tangent), opening_critical, strength)
+            if one + two >= energy_critical or normal > opening_critical or abs(tangent) > opening_critical:
+                interface[ALIVE, k] = 0.0
+                interface[TRACTION_X, k] = interface[TRACTION_Y, k] = 0.0
+                interface[MODE_ONE, k] = one / (one + two)
+                interface[FAILED_AT, k] = time
+                continue
+            interface[PEAK_NORMAL, k] = max(interface[PEAK_NORMAL, k], normal)
+            interface[PEAK_TANGENT, k] = max(interface[PEAK_TANGENT, k], abs(tangent))
+            pull = traction_over_opening(interface[PEAK_NORMAL, k], opening_critical, strength) * max(normal, 0.0)
+            shear = traction_over_opening(interface[PEAK_TANGENT, k], opening_critical, strength) * tangent
+            interface[TRACTION_X, k] = pull * nx + shear * ny
+            interface[TRACTION_Y, k] = pull * ny - shear * nx
+            force_x = area * interface[TRACTION_X, k]
+            force_y = area * interface[TRACTION_Y, k]
+            spread(chip, interface[UPPER_X, k], interface[UPPER_Y, k], -force_x, -force_y, frame)
+            spread(base, interface[LOWER_X, k], interface[LOWER_Y, k], force_x, force_y, frame)
         if normal < 0.0:
-            i, j, _, _ = _locate(interface[LOWER_X, k], interface[LOWER_Y, k], frame)
-            first = j * frame.count_x + i
-            for node in (first, first + 1, first + frame.count_x, first + frame.count_x + 1):
-                if closing_slot[node] < 0:
-                    closing_slot[node] = count
-                    closing[count] = node * NODE
-                    closing_normal[count, 0] = closing_normal[count, 1] = 0.0
-                    count += 1
-                closing_normal[closing_slot[node], 0] += nx
-                closing_normal[closing_slot[node], 1] += ny
+            for side in range(2):
+                i, j, _, _ = _locate(interface[UPPER_X + 2 * side, k], interface[UPPER_Y + 2 * side, k], frame)
+                first = j * frame.count_x + i
+                for node in (first, first + 1, first + frame.count_x, first + frame.count_x + 1):
+                    if closing_slot[node] < 0:
+                        closing_slot[node] = count
+                        closing[count] = node * NODE
+                        closing_normal[count, 0] = closing_normal[count, 1] = 0.0
+                        count += 1
+                    closing_normal[closing_slot[node], 0] += nx
+                    closing_normal[closing_slot[node], 1] += ny
     for k in range(count):
         closing_slot[closing[k] // NODE] = -1
     return count
@@ -209,7 +212,7 @@ def push_apart(chip, base, closing, closing_normal, count, frame):
 
 @part
 def move_pairs(interface, chip, base, frame):
-    """Move both copies of all living pairs with the velocities at the end of the step.
+    """Move both copies of all pairs that are looked at with the velocities at the end of the step.
 
     Returns
     -------
@@ -219,7 +222,7 @@ def move_pairs(interface, chip, base, frame):
     work = 0.0
     time_step, area = frame.time_step, pair_area(frame)
     for k in range(interface.shape[1]):
-        if interface[ALIVE, k] == 0.0:
+        if interface[PRESENT, k] == 0.0:
             continue
         ux, uy = sample(chip, interface[UPPER_X, k], interface[UPPER_Y, k], frame)
         lx, ly = sample(base, interface[LOWER_X, k], interface[LOWER_Y, k], frame)
@@ -233,7 +236,7 @@ def move_pairs(interface, chip, base, frame):
 
 @jit
 def crack_tip_of(interface):
-    """Place along the cut of the broken pair farthest ahead (least x) [m]; the notch end where none is broken."""
+    """Place along the cut of the pair farthest ahead (least x) that carries no traction [m]."""
     tip = interface[UPPER_X, interface.shape[1] - 1]
     for k in range(interface.shape[1]):
         if interface[ALIVE, k] == 0.0:

@@ -87,6 +87,7 @@ def run_steps(
             space.closing_slot,
             cohesion,
             totals[TIME],
+            totals[TIP],
             frame,
         )
         kinetic_old = work = 0.0

@@ -10,7 +10,7 @@ from orthocut.kernels.mpm.frame import Frame, Wedge
 from orthocut.mpm.setup import fill_blocks
 
 CELL = 1e-4
-FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 15, -1, 1e-12, 1e-8, 0.0)
+FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 15, -1, 1e-12, 0.0, 1e-8, 0.0)
 NODES = FRAME.count_x * FRAME.count_y
 
 
@@ -24,6 +24,10 @@ def node(velocity=(0.0, 0.0), mass=1e-5):
     grid[layout.NVX], grid[layout.NVY] = velocity
     grid[layout.NPX], grid[layout.NPY] = mass * velocity[0], mass * velocity[1]
     return grid
+
+
+def kinetic(grid):
+    return 0.5 * grid[layout.NM] * (grid[layout.NVX] ** 2 + grid[layout.NVY] ** 2)
 
 
 def push(grid, body=layout.CHIP, **options):
@@ -61,18 +65,20 @@ def test_base_is_pushed_straight_down_and_only_when_it_rises():
     impulse_x, impulse_y, *_ = push(node((0.0, 2.0)), body=layout.BASE)
     assert impulse_x == 0.0
     assert impulse_y == pytest.approx(-2e-5)
-    assert push(node((0.0, -2.0)), body=layout.BASE) == (0.0, 0.0, 0.0, 0.0, 0.0)
+    assert push(node((0.0, -2.0)), body=layout.BASE) == (0.0, 0.0, 0.0, 0.0)
 
 
 def test_separating_chip_is_left_alone():
-    assert push(node((-9.0, 0.0))) == (0.0, 0.0, 0.0, 0.0, 0.0)
+    assert push(node((-9.0, 0.0))) == (0.0, 0.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.2, 1.5])
 def test_work_of_the_tool_is_kinetic_energy_plus_losses(friction):
     """From a node that feels no other force, so that the impulse acts at the mean velocity of the step."""
     grid = node((1.0, 0.5))
-    impulse_x, _, change, impact, slip = push(grid, friction=friction)
+    before = kinetic(grid)
+    impulse_x, _, impact, slip = push(grid, friction=friction)
+    change = kinetic(grid) - before
     assert -impulse_x * 5.0 == pytest.approx(change + impact + slip, rel=1e-12)
     assert impact > 0.0
     assert slip > 0.0 if friction else abs(slip) < 1e-15 * impact
@@ -84,8 +90,10 @@ def touches(body, x, y, tip=0.0, rake=30.0, stretch=1.0):
     points[layout.FXX * layout.LANES] = stretch
     near = np.zeros(layout.LANES, dtype=np.int64)
     count = contact.list_near_points(near, points, np.array([0, 1]), body, wedge(rake), tip, 2 * CELL)
-    grid, marked = np.zeros(NODES * layout.NODE), np.zeros(NODES, dtype=np.int64)
-    return contact.mark_contact_nodes(marked, grid, points, near, count, body, wedge(rake), tip, FRAME) > 0
+    listed, marked = np.zeros(NODES, dtype=np.int64), np.zeros(NODES, dtype=np.int64)
+    found = contact.mark_contact_nodes(marked, listed, points, near, count, body, wedge(rake), tip, FRAME)
+    assert not listed.any()
+    return found > 0
 
 
 def test_point_touches_when_its_deformed_domain_reaches_the_face():

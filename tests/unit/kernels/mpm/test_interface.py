@@ -11,7 +11,7 @@ from orthocut.params.cohesive import CohesiveZone
 ZONE = CohesiveZone()
 COHESION = Cohesion(ZONE.strength, ZONE.opening_critical)
 CELL = 1e-4
-FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 11, -1, 1e-12, 1e-8, 0.0)
+FRAME = Frame(-5 * CELL, -5 * CELL, CELL, 1 / CELL, 15, 11, -1, 1e-12, 0.0, 1e-8, 0.0)
 NODES = FRAME.count_x * FRAME.count_y
 AREA = CELL / 2
 
@@ -23,20 +23,24 @@ class Interface:
         self.state = np.zeros((pairs.INTERFACE_ROWS, 1))
         self.state[pairs.UPPER_X] = self.state[pairs.LOWER_X] = 0.3 * CELL
         self.state[pairs.NORMAL_Y] = 1.0
-        self.state[pairs.ALIVE] = 1.0
+        self.state[pairs.ALIVE] = self.state[pairs.PRESENT] = 1.0
         self.closing = np.zeros(NODES, dtype=np.int64)
         self.normal = np.zeros((NODES, 2))
         self.slot = np.full(NODES, -1, dtype=np.int64)
         self.work = 0.0
+        self.tip = 3 * CELL
 
     def bodies(self, chip_velocity=(0.0, 0.0)):
         chip, base = np.zeros((NODES, layout.NODE)), np.zeros((NODES, layout.NODE))
         chip[:, layout.NM] = base[:, layout.NM] = 1e-5
         chip[:, layout.NVX], chip[:, layout.NVY] = chip_velocity
+        chip[:, layout.NPX], chip[:, layout.NPY] = 1e-5 * chip[:, layout.NVX], 1e-5 * chip[:, layout.NVY]
         return chip.ravel(), base.ravel()
 
     def pull(self, chip, base):
-        return pairs.pull_together(self.state, chip, base, self.closing, self.normal, self.slot, COHESION, 1.0, FRAME)
+        return pairs.pull_together(
+            self.state, chip, base, self.closing, self.normal, self.slot, COHESION, 1.0, self.tip, FRAME
+        )
 
     def open(self, direction, distance, steps=2000):
         """Move the upper copy by a distance along a direction; sum the work done on the tractions."""
@@ -95,19 +99,34 @@ def test_closed_interface_stops_approach_and_lets_separate():
         interface.state[pairs.UPPER_Y] = -1e-3 * CELL
         chip, base = interface.bodies((0.5, speed))
         count = interface.pull(chip, base)
-        assert count == 4
+        assert count == 6
         assert (interface.slot == -1).all()
         momentum = (chip + base).reshape(NODES, -1)[:, layout.NVY].sum()
-        change, lost = pairs.push_apart(chip, base, interface.closing, interface.normal, count, FRAME)
+        lost = pairs.push_apart(chip, base, interface.closing, interface.normal, count, FRAME)
         at = interface.closing[0]
         assert (chip + base).reshape(NODES, -1)[:, layout.NVY].sum() == pytest.approx(momentum, rel=1e-12)
         assert chip[at + layout.NVX] == 0.5
         if stopped:
             assert chip[at + layout.NVY] == pytest.approx(base[at + layout.NVY])
-            assert change < 0
+            assert lost == pytest.approx(6 * 0.5 * 0.5e-5)
         else:
             assert chip[at + layout.NVY] == speed
-            assert change == lost == 0.0
+            assert lost == 0.0
+
+
+def test_failed_pair_keeps_the_bodies_apart_until_the_tool_has_passed_or_it_is_wide_open():
+    interface = Interface()
+    interface.state[pairs.ALIVE] = 0.0
+    interface.state[pairs.UPPER_Y] = -1e-3 * CELL
+    assert interface.pull(*interface.bodies()) == 6
+    assert interface.state[pairs.TRACTION_Y, 0] == 0.0
+    interface.tip = 0.0
+    assert interface.pull(*interface.bodies()) == 0
+    interface = Interface()
+    interface.state[pairs.ALIVE] = 0.0
+    interface.open((0, 1), 1.1 * CELL, steps=10)
+    interface.pull(*interface.bodies())
+    assert interface.state[pairs.PRESENT, 0] == 0.0
 
 
 def test_open_interface_lists_no_node():

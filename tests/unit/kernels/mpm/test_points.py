@@ -12,7 +12,7 @@ from orthocut.mpm.setup import fill_blocks
 
 CELL = 0.1
 SOLID = Solid(980e6, 376e6, 25e6, 0.0, 1000.0)
-FRAME = Frame(-0.5, -0.4, CELL, 1 / CELL, 24, 20, -1, 1e-12, 1e-6, 0.0)
+FRAME = Frame(-0.5, -0.4, CELL, 1 / CELL, 24, 20, -1, 1e-12, 0.0, 1e-6, 0.0)
 
 
 class Body:
