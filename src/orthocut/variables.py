@@ -64,6 +64,10 @@ VARIABLES: dict[str, Variable] = {
     "length_ratio": Variable("w", "1", "length of the workpiece over depth of cut"),
     "base_ratio": Variable("d", "1", "depth of the base over depth of cut"),
     "notch_ratio": Variable("a", "1", "length of the notch over depth of cut"),
+    "path_ratio": Variable("", "1", "length of notch and cohesive path over depth of cut"),
+    "bottom": Variable("", "1", "kind of support of the bottom"),
+    "window": Variable("", "1", "how the window of averages begins"),
+    "error_target": Variable("", "1", "relative standard error at which a cut ends"),
     "courant": Variable("C", "1", "Courant number"),
     "affine": Variable("", "1", "share of the velocity gradient that points hand on"),
     "support": Variable("", "1", "share of a cell's mass below which nodes follow others"),
@@ -116,6 +120,7 @@ VARIABLES: dict[str, Variable] = {
     "energy_kinetic": Variable("E_{kin}", "J/m", "kinetic energy"),
     "energy_elastic": Variable("E_{el}", "J/m", "elastic energy"),
     "energy_plastic": Variable("E_{pl}", "J/m", "plastic work"),
+    "work_plastic_base": Variable("E_{pl}^b", "J/m", "plastic work in the base"),
     "energy_cohesive": Variable("E_{coh}", "J/m", "work on the cohesive zone"),
     "energy_fracture": Variable("E_{frac}", "J/m", "energy released by broken joints"),
     "energy_friction": Variable("E_{fric}", "J/m", "work of friction"),
@@ -145,6 +150,7 @@ VARIABLES: dict[str, Variable] = {
         r"F_{t,rms}", "N/m", "root mean square of the interval means of the thrust force", *_N_MM
     ),
     "force_cutting_drift": Variable(r"\delta_F", "1", "drift of the cutting force in the window, over its mean"),
+    "window_start": Variable("s_0", "m", "travel from which averages are taken", *_MM),
     "crack_gap_mean": Variable("g", "m", "mean distance from tool tip to crack tip", *_MM),
     "touching": Variable(
         r"I_{touch}", "1", "whether the tool touches the crack tip (1) or the chip bends ahead of it (0)"

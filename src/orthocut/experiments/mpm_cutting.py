@@ -11,15 +11,19 @@ import xarray as xr
 from orthocut.io.checkpoint import Checkpoint, packed, unpacked
 from orthocut.io.datasets import build
 from orthocut.kernels.mpm import interface, step
+from orthocut.kernels.mpm.layout import BASE
 from orthocut.measure.guard import Diverged
 from orthocut.measure.points import snapshot
-from orthocut.measure.steady import block_mean
+from orthocut.measure.steady import block_mean, is_known, steady_from
 from orthocut.mpm import setup
 from orthocut.mpm.solver import Solver
+from orthocut.mpm.state import State
 from orthocut.params.mpm import MpmCutting
 
 SAMPLES = 500
 """Output intervals of a run."""
+LEAST_WINDOW = 3.0
+"""Travel over depth of cut that averages take at least before a cut ends early."""
 CLOSURE_LIMIT = 0.05
 """Share of the tool's work that may remain unaccounted for after a travel of one depth of cut; the run stops beyond."""
 TOUCHING_CELLS = 1.5
@@ -88,11 +92,15 @@ def simulate(
         for name, value in record.items():
             histories.setdefault(name, []).append(value)
         if sample in wanted:
-            for name, (_, values) in snapshot(state).items():
-                shots.setdefault(name, []).append(values)
+            _shoot(state, shots)
+        if case.error_target and _enough(case, histories):
+            if snapshots and sample not in wanted:
+                _shoot(state, shots)
+            break
         progress(sample / SAMPLES)
         if checkpoint:
             checkpoint.offer(lambda: _state(solver, histories, shots))
+    progress(1.0)
     arrays = {name: np.array(values) for name, values in histories.items()}
     data = {name: (("sample",), values) for name, values in arrays.items()}
     data |= {name: ((), value) for name, value in _results(case, solver, arrays).items()}
@@ -103,7 +111,7 @@ def simulate(
     dataset = build(case, "Orthogonal cut with material points", data, {"time": data.pop("time")})
     dataset.attrs |= {
         "particles": state.point_count,
-        "steps": case.steps,
+        "steps": ends[len(histories["time"])],
         "time_step_s": frame.time_step,
         "cell_m": frame.cell,
     }
@@ -112,6 +120,28 @@ def simulate(
 
 Histories = dict[str, list[float]]
 Shots = dict[str, list[np.ndarray]]
+
+
+def _shoot(state: State, shots: Shots) -> None:
+    """Add a snapshot."""
+    for name, (_, values) in snapshot(state).items():
+        shots.setdefault(name, []).append(values)
+
+
+def _enough(case: MpmCutting, histories: Histories) -> bool:
+    """Whether the steady cutting force is known as well as the case asks."""
+    travel = np.array(histories["tool_travel"])
+    window = _window(case, travel, np.array(histories["force_cutting"]))
+    long = travel[-1] - travel[window][0] >= LEAST_WINDOW * case.cut_depth if window.any() else False
+    return bool(long) and is_known(block_mean(np.array(histories["force_cutting"])[window]), case.error_target)
+
+
+def _window(case: MpmCutting, travel: np.ndarray, force: np.ndarray) -> np.ndarray:
+    """Samples that count for the steady state, as flags."""
+    window = travel >= case.window_ratio * case.cut_depth
+    if case.window == "detected" and window.any():
+        window[: np.argmax(window) + steady_from(force[window])] = False
+    return window
 
 
 def _state(solver: Solver, histories: Histories, shots: Shots) -> dict[str, np.ndarray]:
@@ -134,7 +164,8 @@ def _restore(solver: Solver, checkpoint: Checkpoint | None) -> tuple[Histories, 
 def _sample(solver: Solver, before: np.ndarray, interval: float, face: float) -> dict[str, float]:
     """Values at the end of an output interval; forces are means over it, on the tool."""
     now = solver.state.totals
-    elastic, plastic, kinetic = solver.energies()
+    bodies = solver.energies()
+    elastic, plastic, kinetic = bodies.sum(axis=0).tolist()
     record = {"time": now[step.TIME], "tool_travel": face - now[step.TIP]}
     record |= {name: -(now[row] - before[row]) / interval for name, row in _IMPULSES.items()}
     record["force_cutting"] = record["force_cutting_chip"] + record["force_cutting_base"]
@@ -145,6 +176,7 @@ def _sample(solver: Solver, before: np.ndarray, interval: float, face: float) ->
     record |= {name: now[row] for name, row in _ENERGIES.items()}
     record |= {"energy_elastic": elastic, "energy_plastic": plastic, "energy_kinetic": kinetic}
     known = sum(value for name, value in record.items() if name.startswith("energy_"))
+    record["work_plastic_base"] = float(bodies[BASE, 1])
     record["energy_residual"] = record["work_tool"] - known
     return record
 
@@ -166,7 +198,7 @@ def _check(solver: Solver, record: dict[str, float], case: MpmCutting) -> None:
 
 def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) -> dict[str, float]:
     """Steady-state means over the window of travel, and the energy balance of the whole run."""
-    window = arrays["tool_travel"] >= case.window_ratio * case.cut_depth
+    window = _window(case, arrays["tool_travel"], arrays["force_cutting"])
     cutting, thrust, rubbing, gap = (
         block_mean(arrays[name][window]) for name in ("force_cutting", "force_thrust", "force_thrust_base", "crack_gap")
     )
@@ -181,6 +213,7 @@ def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) ->
         "force_thrust_mean": thrust.value,
         "force_thrust_error": thrust.error,
         "force_rubbing_mean": rubbing.value,
+        "window_start": arrays["tool_travel"][window][0] if window.any() else math.nan,
         "crack_gap_mean": gap.value,
         "touching": float(gap.value < reach) if math.isfinite(gap.value) else math.nan,
         "mode_one_fraction": float(pairs[interface.MODE_ONE, failed].mean()) if failed.any() else math.nan,

@@ -12,8 +12,7 @@ from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Wedge
 from orthocut.mpm.state import State
 from orthocut.params.mpm import MpmCutting
 
-_HEADROOM = 12.0  # space above the surface that a straight chip needs, in depths of cut
-_MARGIN = 3.0  # space beside the workpiece, in depths of cut
+_ROOM = 1.1  # length of a straight chip over travel and notch, for the space above and ahead of the workpiece
 _MASS_SMALL = 1e-9  # nodes below this fraction of the mass of a full cell are skipped
 
 
@@ -63,21 +62,25 @@ def build(case: MpmCutting) -> State:
     chip = fill_blocks(*_rectangle(range(columns), range(n), spacing), mass)
     base = fill_blocks(*_rectangle(range(columns), range(-base_rows, 0), spacing), mass)
 
-    beside = math.ceil(_MARGIN * n / 2) + 2
+    room = _ROOM * (case.travel_ratio + case.workpiece.notch_ratio) + 2.0
+    beside = above = math.ceil(room * n / 2) + 3
     below = base_rows // 2 + 3
-    above = math.ceil((1.0 + _HEADROOM) * n / 2) + 3
 
+    path = round(case.workpiece.path_ratio * n) or columns
+    whole = max(columns - path, 0)
     notch = round(case.workpiece.notch_ratio * n)
-    interface = np.zeros((pairs.INTERFACE_ROWS, columns))
-    interface[pairs.UPPER_X] = interface[pairs.LOWER_X] = (np.arange(columns) + 0.5) * spacing
+    places = np.arange(whole, columns)
+    interface = np.zeros((pairs.INTERFACE_ROWS, places.size))
+    interface[pairs.UPPER_X] = interface[pairs.LOWER_X] = (places + 0.5) * spacing
     interface[pairs.NORMAL_Y] = 1.0
-    interface[pairs.ALIVE, : columns - notch] = 1.0
+    interface[pairs.ALIVE] = places < columns - notch
     interface[pairs.PRESENT] = 1.0
     interface[pairs.FAILED_AT] = np.nan
     interface[pairs.MODE_ONE] = np.nan
 
     cell = case.cell
     solid = case.material
+    held = case.workpiece.bottom == "clamped"
     totals = np.zeros(step.TOTALS)
     totals[step.TIP] = columns * spacing + max(0.0, -math.tan(case.tool.rake_angle)) * depth
     chip_blocks, base_blocks = chip.shape[0], base.shape[0]
@@ -108,5 +111,8 @@ def build(case: MpmCutting) -> State:
             mass_firm=case.numerics.support * solid.density * cell**2,
             time_step=case.time_step,
             affine=case.numerics.affine,
+            dashpot_normal=0.0 if held else solid.density * solid.speed_pressure_wave * cell,
+            dashpot_shear=math.sqrt(solid.density * solid.modulus_shear) * cell,
+            last_whole_column=beside + whole // 2 if whole else -1,
         ),
     )

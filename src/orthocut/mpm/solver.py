@@ -100,9 +100,11 @@ class Solver:
             np.copyto(values, frozen[name])
         self._current = int(frozen["current"])
 
-    def energies(self) -> tuple[float, float, float]:
-        """Elastic energy, plastic work and kinetic energy of the points [J/m]."""
-        return points.sum_energies(self.state.points, self.state.solid)
+    def energies(self) -> np.ndarray:
+        """Elastic energy, plastic work and kinetic energy of the points of each body [J/m], shape (2, 3)."""
+        state = self.state
+        bodies = (state.points[first * layout.BLOCK : last * layout.BLOCK] for first, last in state.blocks)
+        return np.array([points.sum_energies(body, state.solid) for body in bodies])
 
     @property
     def crack_tip(self) -> float:

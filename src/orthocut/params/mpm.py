@@ -23,6 +23,10 @@ class Workpiece(Block):
     """Depth of material below the cut over depth of cut (d)."""
     notch_ratio: Annotated[float, Number(0.5, 20.0)] = 2.0
     """Length of the traction-free notch over depth of cut."""
+    path_ratio: Annotated[float, Number(0.0, 200.0)] = 0.0
+    """Length of notch and cohesive path over depth of cut, beyond which the workpiece is whole; 0 for all of it."""
+    bottom: Literal["clamped", "silent"] = "clamped"
+    """Bottom of the base: held, or on dashpots that absorb waves."""
 
 
 class MpmNumerics(Block):
@@ -51,9 +55,13 @@ class MpmCutting(Block):
     cut_speed: Annotated[float, Quantity("m/s", "0.05 m/s", "100 m/s")] = 5.0
     """Speed of the tool after the ramp."""
     travel_ratio: Annotated[float, Number(1.0, 180.0)] = 11.0
-    """Travel of the tool over depth of cut."""
+    """Travel of the tool over depth of cut, at most."""
     window_ratio: Annotated[float, Number(0.0, 180.0)] = 6.0
     """Travel over depth of cut from which steady-state averages are taken."""
+    window: Literal["detected", "fixed"] = "detected"
+    """Whether averages leave out a start of the window that differs from the rest."""
+    error_target: Annotated[float, Number(0.0, 0.2)] = 0.0
+    """Relative standard error of the cutting force at which a steady cut ends before its travel is over; 0: never."""
     tool: Tool = Field(default_factory=Tool)
     material: ElasticPlastic = Field(default_factory=ElasticPlastic)
     interface: CohesiveZone = Field(default_factory=CohesiveZone)
@@ -67,6 +75,12 @@ class MpmCutting(Block):
             raise fault(
                 f"travel_ratio = {self.travel_ratio:g} ends less than 3 depths of cut before the far edge "
                 f"(allowed: up to {limit:g})"
+            )
+        path, notch = self.workpiece.path_ratio, self.workpiece.notch_ratio
+        if 0.0 < path <= max(notch, self.travel_ratio):
+            raise fault(
+                f"workpiece.path_ratio = {path:g} ends before the tool does or leaves nothing to break "
+                f"(allowed: 0, or more than travel_ratio = {self.travel_ratio:g} and notch_ratio = {notch:g})"
             )
         if self.window_ratio >= self.travel_ratio:
             raise fault(

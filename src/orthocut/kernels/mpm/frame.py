@@ -21,7 +21,7 @@ class Frame(NamedTuple):
     count_y: int
     """Rows of nodes."""
     last_clamped_row: int
-    """Rows of the base up to this one are clamped in both directions."""
+    """Rows of the base up to this one are clamped in both directions, or rest on dashpots."""
     mass_small: float
     """Nodes of less mass are skipped [kg/m]."""
     mass_firm: float
@@ -30,6 +30,12 @@ class Frame(NamedTuple):
     """Time step [s]."""
     affine: float
     """Share of the velocity gradient that points hand on to the next grid: 0 (PIC) to 1."""
+    dashpot_normal: float = 0.0
+    """Resistance of a dashpot across the bottom, density times wave speed times cell [kg/(m s)]; 0 where it is held."""
+    dashpot_shear: float = 0.0
+    """Resistance of a dashpot along the bottom [kg/(m s)]."""
+    last_whole_column: int = -1
+    """Up to this column, beyond the end of the path, chip and base are one; -1 where there is no such place."""
 
 
 class Solid(NamedTuple):

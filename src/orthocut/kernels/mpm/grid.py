@@ -28,7 +28,7 @@ def update_grid(grid, extent, frame, last_clamped_row, damping):
     frame : Frame
         Grid and time step.
     last_clamped_row : int
-        Rows up to this one are clamped in both directions; -1 for none.
+        Rows up to this one are clamped in both directions, or on dashpots; -1 for none.
     damping : float
         Feedback damping rate [1/s].
 
@@ -37,7 +37,7 @@ def update_grid(grid, extent, frame, last_clamped_row, damping):
     kinetic : float
         Kinetic energy of the nodes that are free, before the update [J/m].
     damped : float
-        Energy removed by damping [J/m].
+        Energy removed by damping and by dashpots [J/m].
     impulse_x, impulse_y : float
         Impulse of the clamp on the body [N s/m].
     """
@@ -54,6 +54,19 @@ def update_grid(grid, extent, frame, last_clamped_row, damping):
             grid[at + NMARK] = 0.0
             px, py = grid[at + NPX], grid[at + NPY]
             fx, fy = grid[at + NFX], grid[at + NFY]
+            if clamped and frame.dashpot_normal > 0.0:
+                vx, vy = px / mass, py / mass
+                new_vx = (px + time_step * fx) / (mass + time_step * frame.dashpot_shear)
+                new_vy = (py + time_step * fy) / (mass + time_step * frame.dashpot_normal)
+                push_x = -time_step * frame.dashpot_shear * new_vx
+                push_y = -time_step * frame.dashpot_normal * new_vy
+                grid[at + NVX] = new_vx
+                grid[at + NVY] = new_vy
+                impulse_x += push_x
+                impulse_y += push_y
+                kinetic += 0.5 * (px * vx + py * vy)
+                damped -= 0.5 * (push_x * (vx + new_vx) + push_y * (vy + new_vy))
+                continue
             if clamped:
                 impulse_x -= px + time_step * fx
                 impulse_y -= py + time_step * fy
@@ -101,3 +114,33 @@ def work_of_forces(grid, grid_before, extent, frame):
             else:
                 work += (grid[at + NFX] * grid[at + NPX] + grid[at + NFY] * grid[at + NPY]) / grid[at + NM]
     return 0.5 * frame.time_step * work
+
+
+@part
+def join_bodies(chip, base, extent, frame):
+    """Give chip and base one velocity beyond the end of the path; return the energy that this takes [J/m].
+
+    Parameters
+    ----------
+    chip, base : float array
+        Nodes of both bodies with their new velocities; modified in place.
+    extent : int array, shape (4,)
+        Columns and rows in use of the chip.
+    frame : Frame
+        Grid; `last_whole_column` says where.
+    """
+    lost = 0.0
+    for j in range(extent[2], extent[3] + 1):
+        row = j * frame.count_x
+        for at in range((row + extent[0]) * NODE, (row + frame.last_whole_column + 1) * NODE, NODE):
+            mass_chip, mass_base = chip[at + NM], base[at + NM]
+            if mass_chip <= frame.mass_small or mass_base <= frame.mass_small:
+                continue
+            mass = mass_chip * mass_base / (mass_chip + mass_base)
+            for k in range(2):
+                gap = chip[at + NVX + k] - base[at + NVX + k]
+                start = chip[at + NPX + k] / mass_chip - base[at + NPX + k] / mass_base
+                chip[at + NVX + k] -= mass / mass_chip * gap
+                base[at + NVX + k] += mass / mass_base * gap
+                lost += 0.5 * mass * gap * start
+    return lost

@@ -8,7 +8,7 @@ import math
 
 from orthocut.kernels.jit import jit
 from orthocut.kernels.mpm.contact import list_near_points, mark_contact_nodes, push_with_tool
-from orthocut.kernels.mpm.grid import clear_grid, update_grid, work_of_forces
+from orthocut.kernels.mpm.grid import clear_grid, join_bodies, update_grid, work_of_forces
 from orthocut.kernels.mpm.interface import move_pairs, pull_together, push_apart, set_normals
 from orthocut.kernels.mpm.layout import BASE, CHIP
 from orthocut.kernels.mpm.points import advance_points
@@ -115,6 +115,10 @@ def run_steps(
         if ramping:
             totals[DAMPING] += 2.0 * frame.time_step * wedge.feedback * kinetic_old / mass_body
 
+        if frame.last_whole_column >= 0:
+            lost = join_bodies(chip, base, extents[CHIP, current], frame)
+            work -= lost
+            totals[IMPACT] += lost
         lost = push_apart(chip, base, space.closing, space.closing_normal, closed, frame)
         work -= lost
         totals[IMPACT] += lost
