@@ -151,6 +151,8 @@ VARIABLES: dict[str, Variable] = {
     ),
     "force_cutting_drift": Variable(r"\delta_F", "1", "drift of the cutting force in the window, over its mean"),
     "window_start": Variable("s_0", "m", "travel from which averages are taken", *_MM),
+    "chip_thickness_ratio": Variable("h_c/h", "1", "thickness of the chip over depth of cut"),
+    "shear_largest": Variable(r"\gamma", "1", "largest shear strain of the chip (99th percentile)", "%", 100.0),
     "crack_gap_mean": Variable("g", "m", "mean distance from tool tip to crack tip", *_MM),
     "touching": Variable(
         r"I_{touch}", "1", "whether the tool touches the crack tip (1) or the chip bends ahead of it (0)"

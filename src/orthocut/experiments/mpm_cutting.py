@@ -10,8 +10,8 @@ import xarray as xr
 
 from orthocut.io.checkpoint import Checkpoint, packed, unpacked
 from orthocut.io.datasets import build
-from orthocut.kernels.mpm import interface, step
-from orthocut.kernels.mpm.layout import BASE
+from orthocut.kernels.mpm import interface, layout, step
+from orthocut.measure.chip import shape
 from orthocut.measure.guard import Diverged
 from orthocut.measure.points import snapshot
 from orthocut.measure.steady import block_mean, is_known, steady_from
@@ -77,6 +77,7 @@ def simulate(
         If energies stop being finite or do not balance, if a point leaves the grid or the chip sinks into the base.
     """
     state = setup.build(case)
+    start_x = state.field(layout.X)
     solver = Solver(state)
     frame = state.frame
     ends = [case.steps * sample // SAMPLES for sample in range(SAMPLES + 1)]
@@ -103,7 +104,7 @@ def simulate(
     progress(1.0)
     arrays = {name: np.array(values) for name, values in histories.items()}
     data = {name: (("sample",), values) for name, values in arrays.items()}
-    data |= {name: ((), value) for name, value in _results(case, solver, arrays).items()}
+    data |= {name: ((), value) for name, value in _results(case, solver, arrays, start_x).items()}
     if snapshots:
         for name, (dims, _) in snapshot(state).items():
             data[name] = (("snapshot", *dims), np.stack(shots[name]))
@@ -176,7 +177,7 @@ def _sample(solver: Solver, before: np.ndarray, interval: float, face: float) ->
     record |= {name: now[row] for name, row in _ENERGIES.items()}
     record |= {"energy_elastic": elastic, "energy_plastic": plastic, "energy_kinetic": kinetic}
     known = sum(value for name, value in record.items() if name.startswith("energy_"))
-    record["work_plastic_base"] = float(bodies[BASE, 1])
+    record["work_plastic_base"] = float(bodies[layout.BASE, 1])
     record["energy_residual"] = record["work_tool"] - known
     return record
 
@@ -196,7 +197,7 @@ def _check(solver: Solver, record: dict[str, float], case: MpmCutting) -> None:
         raise Diverged(f"{lost:.0%} of the tool's work is not accounted for {when}; {finer}")
 
 
-def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) -> dict[str, float]:
+def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray], start_x: np.ndarray) -> dict[str, float]:
     """Steady-state means over the window of travel, and the energy balance of the whole run."""
     window = _window(case, arrays["tool_travel"], arrays["force_cutting"])
     cutting, thrust, rubbing, gap = (
@@ -205,6 +206,11 @@ def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) ->
     reach = TOUCHING_CELLS * solver.state.frame.cell
     pairs = solver.state.interface
     start = arrays["time"][window][0] if window.any() else math.inf
+    deformation = np.stack(
+        [solver.state.field(row) for row in (layout.FXX, layout.FXY, layout.FYX, layout.FYY)], axis=1
+    )
+    of_chip = solver.state.of_body(layout.CHIP)
+    chip = shape(start_x[of_chip], deformation[of_chip], arrays["tool_tip"][-1], case.cut_depth, case.tool.rake_angle)
     failed = pairs[interface.FAILED_AT] >= start
     return {
         "force_cutting_mean": cutting.value,
@@ -217,5 +223,8 @@ def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray]) ->
         "crack_gap_mean": gap.value,
         "touching": float(gap.value < reach) if math.isfinite(gap.value) else math.nan,
         "mode_one_fraction": float(pairs[interface.MODE_ONE, failed].mean()) if failed.any() else math.nan,
+        "chip_thickness_ratio": chip.thickness_ratio,
+        "angle_shear": chip.angle_shear,
+        "shear_largest": chip.shear_largest,
         "energy_closure": arrays["energy_residual"][-1] / arrays["work_tool"][-1],
     }

@@ -39,8 +39,17 @@ class State:
 
     def field(self, index: int) -> np.ndarray:
         """One field of all points that have mass, shape (n_points,); a copy."""
-        lanes = self.points.reshape(-1, layout.POINT_FIELDS, layout.LANES)
+        lanes = self._lanes(0, None)
         return lanes[:, index, :][lanes[:, layout.MASS, :] > 0.0]
+
+    def of_body(self, body: int) -> slice:
+        """Points of a body in the arrays that `field` returns."""
+        counts = [int((self._lanes(*ends)[:, layout.MASS, :] > 0.0).sum()) for ends in self.blocks]
+        return slice(sum(counts[:body]), sum(counts[: body + 1]))
+
+    def _lanes(self, first: int, last: int | None) -> np.ndarray:
+        """Fields of some blocks, shape (n_blocks, POINT_FIELDS, LANES)."""
+        return self.points.reshape(-1, layout.POINT_FIELDS, layout.LANES)[first:last]
 
     @property
     def point_count(self) -> int:
