@@ -36,9 +36,9 @@ class MpmNumerics(Block):
     """Material points through the depth of cut; two a cell and direction."""
     courant: Annotated[float, Number(0.01, 1.0)] = 0.5
     """Time step over the time a pressure wave needs for a cell."""
-    affine: Annotated[float, Number(0.0, 1.0)] = 0.9
+    affine: Annotated[float, Number(0.0, 1.0)] = 1.0
     """Share of the velocity gradient that points hand on to the next grid; 0 is PIC, 1 keeps linear velocity fields."""
-    support: Annotated[float, Number(0.0, 0.25)] = 0.1
+    support: Annotated[float, Number(0.0, 0.25)] = 0.05
     """Share of the mass of a full cell below which a node follows nodes that have more; 0 for none, as in the paper."""
     ramp_fraction: Annotated[float, Number(0.01, 0.9)] = 0.3
     """Fraction of the duration in which the tool speeds up linearly, with feedback damping."""
