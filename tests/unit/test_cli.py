@@ -9,12 +9,14 @@ from pathlib import Path
 
 import pytest
 import xarray as xr
+from synthetic import mpm_run
 from typer.testing import CliRunner
 
 from orthocut import run as run_module
 from orthocut.cli import app
+from orthocut.io.collect import collect
 from orthocut.io.datasets import build, failed
-from orthocut.io.netcdf import read
+from orthocut.io.netcdf import read, write
 from orthocut.io.store import Store
 from orthocut.measure.guard import Diverged
 from orthocut.params.case import validate
@@ -25,6 +27,7 @@ VERBS = [
     ["run"],
     ["show"],
     ["export"],
+    ["redraw"],
     ["bench"],
     ["study"],
     ["study", "list"],
@@ -286,3 +289,18 @@ def test_bench_prints_one_object(monkeypatch, method, name):
     monkeypatch.setitem(sys.modules, module.__name__, module)
     assert json.loads(call("bench", method, "--json").stdout)[name] == 30.0
     assert name in call("bench", method).stdout
+
+
+def test_redraw_draws_collected_datasets(tmp_path):
+    write(collect([mpm_run(0), mpm_run(0, cut_depth="2 mm")], "nairn2015_fig08", ()), tmp_path / "nairn2015_fig08.nc")
+    result = call("redraw", tmp_path, "--output", tmp_path / "new")
+    assert result.exit_code == 0
+    assert result.stdout.split() == [str(tmp_path / "new" / "nairn2015_fig08.png")]
+    assert (tmp_path / "new" / "nairn2015_fig08.png").stat().st_size > 10_000
+
+
+def test_redraw_says_what_it_looks_for(tmp_path):
+    result = call("redraw", tmp_path, "--output", tmp_path / "new")
+    assert result.exit_code == 2
+    assert "no dataset with the name of a figure" in result.stderr
+    assert not (tmp_path / "new").exists()

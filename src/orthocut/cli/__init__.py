@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from orthocut.cli import bench, export, run, show, store, study, theory
+from orthocut.cli import bench, export, redraw, run, show, store, study, theory
 
 app = typer.Typer(
     name="orthocut",
@@ -20,6 +20,7 @@ app = typer.Typer(
 app.command("run", epilog=run.EXAMPLES)(run.run)
 app.command("show", epilog=show.EXAMPLES)(show.show)
 app.command("export", epilog=export.EXAMPLES)(export.export)
+app.command("redraw", epilog=redraw.EXAMPLES)(redraw.redraw)
 app.add_typer(study.app, name="study")
 app.add_typer(store.app, name="store")
 app.add_typer(theory.app, name="theory")
