@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from orthocut.kernels.laws.hardening import Hardening
+
 
 class Frame(NamedTuple):
     """Grid of square cells; both bodies use the same."""
@@ -37,12 +39,10 @@ class Solid(NamedTuple):
     """Bulk modulus [Pa]."""
     modulus_shear: float
     """Shear modulus [Pa]."""
-    stress_yield: float
-    """Initial yield stress in tension [Pa]."""
-    modulus_plastic: float
-    """Slope of yield stress over plastic strain [Pa]."""
     density: float
     """Density in the undeformed state [kg/m^3]."""
+    hardening: Hardening
+    """Law of the yield stress; kernels are compiled for its type."""
 
 
 class Cohesion(NamedTuple):
