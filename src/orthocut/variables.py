@@ -65,6 +65,8 @@ VARIABLES: dict[str, Variable] = {
     "stress_saturation": Variable(r"\sigma_s", "Pa", "limit of the yield stress", *_MPA),
     "strain_saturation": Variable(r"\epsilon_s", "1", "plastic strain in which the yield stress nears its limit"),
     "law": Variable("", "1", "shape of the cohesive law"),
+    "peak_ratio": Variable(r"\delta_p/\delta_c", "1", "opening at the cohesive stress over the critical opening"),
+    "failure_criterion": Variable("", "1", "criterion of failure of the interface"),
     "toughness": Variable("G_c", "J/m2", "fracture toughness"),
     "length_ratio": Variable("w", "1", "length of the workpiece over depth of cut"),
     "base_ratio": Variable("d", "1", "depth of the base over depth of cut"),

@@ -6,12 +6,11 @@ import math
 
 import numpy as np
 
-from orthocut.kernels.laws.hardening import Elastic, Hardening, Linear, Ludwik, Voce
 from orthocut.kernels.mpm import interface as pairs
 from orthocut.kernels.mpm import layout, step
-from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Wedge
+from orthocut.kernels.mpm.frame import Frame, Solid, Wedge
+from orthocut.mpm.laws import cohesion_of, hardening_of
 from orthocut.mpm.state import State
-from orthocut.params.material import ElasticPlastic
 from orthocut.params.mpm import MpmCutting
 
 _HEADROOM = 12.0  # space above the surface that a straight chip needs, in depths of cut
@@ -51,17 +50,6 @@ def _rectangle(columns: range, rows: range, spacing: float) -> tuple[np.ndarray,
     return (i[order] + 0.5) * spacing, (j[order] + 0.5) * spacing
 
 
-def hardening_of(material: ElasticPlastic) -> Hardening:
-    """Hardening law of a material, for the kernels."""
-    if material.hardening == "linear":
-        return Linear(material.stress_yield, material.modulus_plastic)
-    if material.hardening == "ludwik":
-        return Ludwik(material.stress_yield, material.hardening_modulus, material.hardening_exponent)
-    if material.hardening == "voce":
-        return Voce(material.stress_yield, material.stress_saturation, material.strain_saturation)
-    return Elastic()
-
-
 def build(case: MpmCutting) -> State:
     """Workpiece at rest, tool tip at the end face of the notch.
 
@@ -99,7 +87,7 @@ def build(case: MpmCutting) -> State:
         interface=interface,
         totals=totals,
         solid=Solid(solid.modulus_bulk, solid.modulus_shear, solid.density, hardening_of(solid)),
-        cohesion=Cohesion(case.interface.strength, case.interface.opening_critical),
+        cohesion=cohesion_of(case.interface),
         wedge=Wedge(
             case.tool.rake_angle,
             case.tool.clearance_angle,

@@ -28,12 +28,13 @@ def test_identity_does_not_depend_on_units_or_order():
     assert case_id(one) == case_id(two)
 
 
-CHOICES = {"hardening": "voce"}
+CHOICES = {"hardening": "voce", "law": "triangular", "failure_criterion": "coupled"}
 NEEDS = {
     "hardening_modulus": {"hardening": "ludwik"},
     "hardening_exponent": {"hardening": "ludwik"},
     "stress_saturation": {"hardening": "voce"},
     "strain_saturation": {"hardening": "voce"},
+    "peak_ratio": {"law": "triangular"},
 }
 """Fields that only some choices use."""
 
@@ -65,7 +66,7 @@ def different(kind, name):
         (kind, name)
         for kind, model in KINDS.items()
         for name in fields(model)
-        if name.rsplit(".", 1)[-1] not in {"kind", "law"}
+        if name.rsplit(".", 1)[-1] != "kind"
         and name not in {"tool", "packing", "joint", "material", "interface", "workpiece", "numerics"}
     ],
 )
@@ -169,6 +170,11 @@ def test_numbers_in_files_may_be_written_with_exponents(tmp_path):
         ("mpm", {"hardening_exponent": 0.5}, r"hardening = linear \(allowed: leave it out, or hardening = ludwik\)"),
         ("mpm", {"hardening": "none", "stress_yield": "1 MPa"}, r"or hardening = linear, ludwik, voce\)"),
         ("mpm", {"hardening": "voce", "stress_yield": "50 MPa"}, "stress_saturation = 50 MPa is too small"),
+        (
+            "mpm",
+            {"peak_ratio": 0.2},
+            r"peak_ratio is of no use with law = cubic \(allowed: leave it out, or law = tri",
+        ),
         ("mpm", {"hardening": "swift"}, "hardening = 'swift'"),
         ("mpm", {"modulus_bulk": "1 TPa", "modulus_shear": "1 GPa"}, "Poisson"),
         ("dem", {"cut_depth": "0.6 mm"}, "more than half of the block"),

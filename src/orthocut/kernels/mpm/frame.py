@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from orthocut.kernels.laws.cohesive import CohesiveLaw
+from orthocut.kernels.laws.failure import Criterion
 from orthocut.kernels.laws.hardening import Hardening
 
 
@@ -46,12 +48,12 @@ class Solid(NamedTuple):
 
 
 class Cohesion(NamedTuple):
-    """Cohesive law of the interface."""
+    """Interface between chip and base; kernels are compiled for the types of both."""
 
-    strength: float
-    """Cohesive stress [Pa]."""
-    opening_critical: float
-    """Opening at which the traction vanishes [m]."""
+    law: CohesiveLaw
+    """Traction over opening."""
+    criterion: Criterion
+    """When it fails in mixed mode."""
 
 
 class Wedge(NamedTuple):

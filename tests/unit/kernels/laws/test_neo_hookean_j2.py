@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from orthocut.kernels.laws.hardening import energy_plastic
 from orthocut.kernels.laws.neo_hookean_j2 import energy_elastic, pressure_kirchhoff, update
-from orthocut.mpm.setup import hardening_of
+from orthocut.mpm.laws import hardening_of
 from orthocut.params.material import ElasticPlastic
 
 PAPER = {name: ElasticPlastic(modulus_tangent=f"{name} MPa") for name in (0, 100)}
