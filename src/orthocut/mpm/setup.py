@@ -8,7 +8,8 @@ import numpy as np
 
 from orthocut.kernels.mpm import interface as pairs
 from orthocut.kernels.mpm import layout, step
-from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Wedge
+from orthocut.kernels.mpm.frame import Frame, Solid, Wedge
+from orthocut.mpm.laws import cohesion_of, hardening_of
 from orthocut.mpm.state import State
 from orthocut.params.mpm import MpmCutting
 
@@ -89,8 +90,8 @@ def build(case: MpmCutting) -> State:
         blocks=np.array([[0, chip_blocks], [chip_blocks, chip_blocks + base_blocks]]),
         interface=interface,
         totals=totals,
-        solid=Solid(solid.modulus_bulk, solid.modulus_shear, solid.stress_yield, solid.modulus_plastic, solid.density),
-        cohesion=Cohesion(case.interface.strength, case.interface.opening_critical),
+        solid=Solid(solid.modulus_bulk, solid.modulus_shear, solid.density, hardening_of(solid)),
+        cohesion=cohesion_of(case.interface),
         wedge=Wedge(
             case.tool.rake_angle,
             case.tool.clearance_angle,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import reprlib
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 from pydantic import BaseModel, ConfigDict, ValidationError
@@ -22,6 +22,30 @@ class Block(BaseModel):
 def fault(message: str) -> PydanticCustomError:
     """Error to raise in a validator; the message names the field, the value and what is allowed."""
     return PydanticCustomError("invalid", "{message}", {"message": message})
+
+
+def refuse_unused(block: Block, choice: str, uses: Mapping[str, Collection[str]]) -> None:
+    """Refuse values of fields that the chosen law does not use: equal physics must be the same case.
+
+    Parameters
+    ----------
+    block : Block
+        Block that is being validated.
+    choice : str
+        Name of the field that holds the choice.
+    uses : mapping of str to collection of str
+        Each choice to the fields that it uses; a field that stands nowhere here is used by all.
+
+    Raises
+    ------
+    PydanticCustomError
+        Names the first field that differs from its default although the choice does not use it.
+    """
+    chosen = getattr(block, choice)
+    for name in dict.fromkeys(name for names in uses.values() for name in names):
+        if name not in uses[chosen] and getattr(block, name) != type(block).model_fields[name].default:
+            takers = ", ".join(law for law, names in uses.items() if name in names)
+            raise fault(f"{name} is of no use with {choice} = {chosen} (allowed: leave it out, or {choice} = {takers})")
 
 
 class ConfigError(ValueError):

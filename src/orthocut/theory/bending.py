@@ -41,7 +41,14 @@ def slope_ratio(material: ElasticPlastic, slope: str = "tangent") -> float:
     slope : {"tangent", "literal"}
         ``tangent``: E_T/E', the slope of the stress-strain curve, which eqs (20)-(22) need. ``literal``: E_p/E' with
         the plastic modulus, as the symbol in the paper says.
+
+    Raises
+    ------
+    ValueError
+        If the slope is unknown or the material does not harden linearly.
     """
+    if material.hardening != "linear":
+        raise ValueError(f"hardening = {material.hardening!r} must be linear")
     if slope not in SLOPES:
         raise ValueError(f"slope = {slope!r} must be one of {', '.join(SLOPES)}")
     modulus = material.modulus_tangent if slope == "tangent" else material.modulus_plastic
@@ -89,7 +96,6 @@ def solve(
         raise ValueError(f"cut_depth = {cut_depth!r} m must be positive")
     if form not in FORMS:
         raise ValueError(f"form = {form!r} must be one of {', '.join(FORMS)}")
-    hardening = slope_ratio(material, slope)
     toughness, modulus = interface.toughness, material.modulus_plane_strain
     rake, friction = tool.rake_angle, tool.friction
     depth = depth_dimensionless(cut_depth, material.stress_yield, modulus, toughness)
@@ -98,6 +104,9 @@ def solve(
     def unsolved(reason: str) -> BendingSolution:
         return BendingSolution(NAN, NAN, NAN, NAN, depth, reason, NAN)
 
+    if material.hardening != "linear":
+        return unsolved(f"it knows linear hardening only, not hardening = {material.hardening}")
+    hardening = slope_ratio(material, slope)
     if ratio >= 0:
         return unsolved(
             f"friction = {friction:g} is not below tan(rake_angle) = {math.tan(rake):.4g}: "

@@ -112,7 +112,7 @@ def solve(
     Returns
     -------
     TouchingSolution
-        With NaN and a reason where the chip cannot slide on the rake face.
+        With NaN and a reason where the chip cannot slide on the rake face, or never yields.
 
     Raises
     ------
@@ -125,6 +125,9 @@ def solve(
         raise ValueError(f"criterion = {criterion!r} must be one of {', '.join(YIELD_RATIO)}")
     toughness, rake, friction = interface.toughness, tool.rake_angle, tool.friction
     depth = depth_dimensionless(cut_depth, material.stress_yield, material.modulus_plane_strain, toughness)
+    if material.hardening == "none":
+        reason = "the chip never yields with hardening = none"
+        return TouchingSolution(NAN, NAN, NAN, NAN, depth, reason, NAN)
     if 1 + friction * math.tan(rake) <= 0:
         reason = (
             f"friction = {friction:g} holds the chip on a rake face of {math.degrees(rake):.4g} deg: it cannot slide"

@@ -28,12 +28,27 @@ def test_identity_does_not_depend_on_units_or_order():
     assert case_id(one) == case_id(two)
 
 
-VALUES = {"kind": None, "law": None}  # one choice only
-CHOICES = {"detected": "fixed", "clamped": "silent"}
+CHOICES = {
+    "hardening": "voce",
+    "law": "triangular",
+    "failure_criterion": "coupled",
+    "window": "fixed",
+    "bottom": "silent",
+}
+NEEDS = {
+    "hardening_modulus": {"hardening": "ludwik"},
+    "hardening_exponent": {"hardening": "ludwik"},
+    "stress_saturation": {"hardening": "voce"},
+    "strain_saturation": {"hardening": "voce"},
+    "peak_ratio": {"law": "triangular"},
+}
+"""Fields that only some choices use."""
 
 
 def different(kind, name):
     """Return another valid value for a field of the default case, as a user writes it."""
+    if (leaf := name.rsplit(".", 1)[-1]) in CHOICES:
+        return CHOICES[leaf]
     case = load(kind)
     value = case
     for part in name.split("."):
@@ -45,8 +60,6 @@ def different(kind, name):
     text = case.model_dump(mode="json")
     for part in name.split("."):
         text = text[part]
-    if text in CHOICES:
-        return CHOICES[text]
     if name == "workpiece.path_ratio":
         return 14.0
     if isinstance(text, str):
@@ -61,12 +74,13 @@ def different(kind, name):
         (kind, name)
         for kind, model in KINDS.items()
         for name in fields(model)
-        if name.rsplit(".", 1)[-1] not in VALUES
+        if name.rsplit(".", 1)[-1] != "kind"
         and name not in {"tool", "packing", "joint", "material", "interface", "workpiece", "numerics"}
     ],
 )
 def test_identity_depends_on_every_field(kind, name):
-    assert case_id(load(kind, {name: different(kind, name)})) != case_id(load(kind))
+    needs = NEEDS.get(name.rsplit(".", 1)[-1], {})
+    assert case_id(load(kind, {**needs, name: different(kind, name)})) != case_id(load(kind, needs))
 
 
 @given(st.permutations(["cut_depth", "cut_speed", "tool", "kind"]))
@@ -94,6 +108,10 @@ def test_short_names_must_be_unique():
 def test_kind_must_be_known(kind):
     with pytest.raises(ConfigError, match=r"kind = .*must be one of mpm_cutting, dem_cutting"):
         validate({"kind": kind})
+
+
+def test_fields_of_other_laws_may_be_given_with_their_defaults():
+    assert load("mpm", {"hardening": "none", "modulus_tangent": "100 MPa"}) == load("mpm", {"hardening": "none"})
 
 
 def test_override_does_not_change_its_input():
@@ -152,6 +170,20 @@ def test_numbers_in_files_may_be_written_with_exponents(tmp_path):
         ("mpm", {"window_ratio": 11.0}, "window_ratio = 11 leaves no travel"),
         ("mpm", {"rake_angle": "70 deg", "clearance_angle": "20 deg"}, "leave a wedge of"),
         ("mpm", {"modulus_tangent": "950 MPa"}, "modulus_tangent = 950 MPa is too large"),
+        (
+            "mpm",
+            {"hardening": "voce", "modulus_tangent": "0 MPa"},
+            r"modulus_tangent is of no use with hardening = voce",
+        ),
+        ("mpm", {"hardening_exponent": 0.5}, r"hardening = linear \(allowed: leave it out, or hardening = ludwik\)"),
+        ("mpm", {"hardening": "none", "stress_yield": "1 MPa"}, r"or hardening = linear, ludwik, voce\)"),
+        ("mpm", {"hardening": "voce", "stress_yield": "50 MPa"}, "stress_saturation = 50 MPa is too small"),
+        (
+            "mpm",
+            {"peak_ratio": 0.2},
+            r"peak_ratio is of no use with law = cubic \(allowed: leave it out, or law = tri",
+        ),
+        ("mpm", {"hardening": "swift"}, "hardening = 'swift'"),
         ("mpm", {"modulus_bulk": "1 TPa", "modulus_shear": "1 GPa"}, "Poisson"),
         ("dem", {"cut_depth": "0.6 mm"}, "more than half of the block"),
     ],

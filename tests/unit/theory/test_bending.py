@@ -85,6 +85,14 @@ def test_no_solution_is_said(wedge, options, reason):
     assert reason in found.reason
 
 
+@pytest.mark.parametrize("law", ["ludwik", "voce", "none"])
+def test_other_hardening_than_linear_is_refused(law):
+    solid = ElasticPlastic(hardening=law)
+    assert "linear hardening only" in bending.solve(solid, INTERFACE, tool(30), 1e-3).reason
+    with pytest.raises(ValueError, match="must be linear"):
+        bending.slope_ratio(solid)
+
+
 def test_a_rigid_root_bends_where_the_chip_hardens():
     found = bending.solve(material(100.0), INTERFACE, tool(30), 1e-3, root_rotation=0.0)
     released = found.depth_dimensionless * beam.area_complementary(

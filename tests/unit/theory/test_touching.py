@@ -66,6 +66,11 @@ def test_a_chip_that_cannot_slide_has_no_solution():
     assert "cannot slide" in found.reason
 
 
+def test_an_elastic_chip_has_no_solution():
+    found = touching.solve(ElasticPlastic(hardening="none"), INTERFACE, tool(30, 0.0), 1e-3)
+    assert "never yields" in found.reason
+
+
 @pytest.mark.parametrize("depth", [0.0, -1e-3, math.nan])
 def test_a_depth_that_is_not_positive_is_refused(depth):
     with pytest.raises(ValueError, match="cut_depth"):

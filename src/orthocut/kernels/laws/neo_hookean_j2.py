@@ -1,4 +1,4 @@
-"""Neo-Hookean elasticity with von Mises yielding and linear isotropic hardening in plane strain.
+"""Neo-Hookean elasticity with von Mises yielding and isotropic hardening by any law in plane strain.
 
 Nairn (2015), eqs (1) and (2), with the return mapping of Simo & Hughes (1998), Computational Inelasticity, ch. 9. The
 yield stress is compared with the Kirchhoff stress.
@@ -7,12 +7,12 @@ yield stress is compared with the Kirchhoff stress.
 import math
 
 from orthocut.kernels.jit import inline
-
-ROOT_2_3 = math.sqrt(2.0 / 3.0)
+from orthocut.kernels.laws.hardening import multiplier
+from orthocut.kernels.laws.mises import ROOT_2_3
 
 
 @inline
-def update(bxx, byy, bxy, strain_plastic, fxx, fxy, fyx, fyy, modulus_shear, stress_yield, modulus_plastic):
+def update(bxx, byy, bxy, strain_plastic, fxx, fxy, fyx, fyy, modulus_shear, hardening):
     """Isochoric elastic strain, plastic strain and deviatoric stress after an increment of deformation.
 
     Parameters
@@ -23,8 +23,10 @@ def update(bxx, byy, bxy, strain_plastic, fxx, fxy, fyx, fyy, modulus_shear, str
         Cumulative plastic strain before the increment.
     fxx, fxy, fyx, fyy : float
         Deformation gradient of the increment; its determinant must be within a few per cent of one.
-    modulus_shear, stress_yield, modulus_plastic : float
-        Shear modulus, initial yield stress, slope of yield stress over plastic strain [Pa].
+    modulus_shear : float
+        Shear modulus [Pa].
+    hardening : Hardening
+        Law of the yield stress, see `orthocut.kernels.laws.hardening`.
 
     Returns
     -------
@@ -51,8 +53,7 @@ def update(bxx, byy, bxy, strain_plastic, fxx, fxy, fyx, fyy, modulus_shear, str
     # return mapping; without yielding the scale is one
     shear = modulus_shear * third
     norm = modulus_shear * math.sqrt(axx * axx + ayy * ayy + azz * azz + 2.0 * txy * txy)
-    excess = norm - ROOT_2_3 * (stress_yield + modulus_plastic * strain_plastic)
-    plastic = max(excess, 0.0) / (2.0 * shear + 2.0 / 3.0 * modulus_plastic)
+    plastic = multiplier(hardening, norm, shear, strain_plastic)
     scale = 1.0 - 2.0 * shear * plastic / max(norm, 1e-300)
     axx *= scale
     ayy *= scale
@@ -63,7 +64,7 @@ def update(bxx, byy, bxy, strain_plastic, fxx, fxy, fyx, fyy, modulus_shear, str
     det = azz * (axx * ayy - axy * axy) - 1.0
     x = 1.0 + (second - det - 1.0) / 3.0
     x -= (x * (x * x - second) + det) / (3.0 * x * x - second)
-    x = third if excess <= 0.0 else x
+    x = third if plastic <= 0.0 else x
     return (
         axx + x,
         ayy + x,
@@ -86,9 +87,3 @@ def energy_elastic(volume_ratio, trace, modulus_bulk, modulus_shear):
     """Elastic energy per initial volume [J/m^3], eq (1); `trace` is that of the isochoric elastic strain."""
     volumetric = 0.5 * (volume_ratio * volume_ratio - 1.0) - math.log(volume_ratio)
     return 0.5 * modulus_bulk * volumetric + 0.5 * modulus_shear * (trace - 3.0)
-
-
-@inline
-def energy_plastic(strain_plastic, stress_yield, modulus_plastic):
-    """Plastic work per initial volume [J/m^3], up to a part of second order in yield stress over shear modulus."""
-    return strain_plastic * (stress_yield + 0.5 * modulus_plastic * strain_plastic)

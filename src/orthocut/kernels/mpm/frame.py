@@ -4,6 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from orthocut.kernels.laws.cohesive import CohesiveLaw
+from orthocut.kernels.laws.failure import Criterion
+from orthocut.kernels.laws.hardening import Hardening
+
 
 class Frame(NamedTuple):
     """Grid of square cells; both bodies use the same."""
@@ -45,21 +49,19 @@ class Solid(NamedTuple):
     """Bulk modulus [Pa]."""
     modulus_shear: float
     """Shear modulus [Pa]."""
-    stress_yield: float
-    """Initial yield stress in tension [Pa]."""
-    modulus_plastic: float
-    """Slope of yield stress over plastic strain [Pa]."""
     density: float
     """Density in the undeformed state [kg/m^3]."""
+    hardening: Hardening
+    """Law of the yield stress; kernels are compiled for its type."""
 
 
 class Cohesion(NamedTuple):
-    """Cohesive law of the interface."""
+    """Interface between chip and base; kernels are compiled for the types of both."""
 
-    strength: float
-    """Cohesive stress [Pa]."""
-    opening_critical: float
-    """Opening at which the traction vanishes [m]."""
+    law: CohesiveLaw
+    """Traction over opening."""
+    criterion: Criterion
+    """When it fails in mixed mode."""
 
 
 class Wedge(NamedTuple):

@@ -10,12 +10,13 @@ and base from running into each other as long as it is ahead of the tool.
 import math
 
 from orthocut.kernels.jit import jit, part
-from orthocut.kernels.laws.cohesive_cubic import energy_released, traction_over_opening
+from orthocut.kernels.laws.cohesive import traction_over_opening
+from orthocut.kernels.laws.failure import damage
 from orthocut.kernels.mpm.layout import NFX, NFY, NM, NODE, NPX, NPY, NVX, NVY
 
 # rows of the interface state, one column a pair
 UPPER_X, UPPER_Y, LOWER_X, LOWER_Y = 0, 1, 2, 3  # positions [m]
-PEAK_NORMAL, PEAK_TANGENT = 4, 5  # largest openings so far [m]
+PEAK_NORMAL, PEAK_TANGENT = 4, 5  # openings that set the secant stiffnesses [m]
 TRACTION_X, TRACTION_Y = 6, 7  # traction on the base [Pa]
 NORMAL_X, NORMAL_Y = 8, 9  # unit normal from base to chip
 ALIVE = 10  # 1 while the pair carries tractions, 0 after failure and in the notch
@@ -113,7 +114,7 @@ def pull_together(interface, chip, base, closing, closing_normal, closing_slot, 
     closing_slot : int array, shape (n_nodes,)
         Work space, -1 everywhere; left so.
     cohesion : Cohesion
-        Cohesive law.
+        Cohesive law and criterion of failure.
     time : float
         Time, logged at failure [s].
     tip : float
@@ -126,9 +127,8 @@ def pull_together(interface, chip, base, closing, closing_normal, closing_slot, 
     int
         Number of nodes listed.
     """
-    strength, opening_critical = cohesion.strength, cohesion.opening_critical
+    law, criterion = cohesion.law, cohesion.criterion
     area = pair_area(frame)
-    energy_critical = energy_released(opening_critical, opening_critical, strength)
     count = 0
     for k in range(interface.shape[1]):
         if interface[PRESENT, k] == 0.0:
@@ -143,18 +143,19 @@ def pull_together(interface, chip, base, closing, closing_normal, closing_slot, 
                 interface[PRESENT, k] = 0.0
                 continue
         else:
-            one = energy_released(max(normal, 0.0), opening_critical, strength)
-            two = energy_released(abs(tangent), opening_critical, strength)
-            if one + two >= energy_critical or normal > opening_critical or abs(tangent) > opening_critical:
+            peak_normal, peak_tangent, one, two, failed = damage(
+                criterion, law, max(normal, 0.0), abs(tangent), interface[PEAK_NORMAL, k], interface[PEAK_TANGENT, k]
+            )
+            if failed:
                 interface[ALIVE, k] = 0.0
                 interface[TRACTION_X, k] = interface[TRACTION_Y, k] = 0.0
                 interface[MODE_ONE, k] = one / (one + two)
                 interface[FAILED_AT, k] = time
                 continue
-            interface[PEAK_NORMAL, k] = max(interface[PEAK_NORMAL, k], normal)
-            interface[PEAK_TANGENT, k] = max(interface[PEAK_TANGENT, k], abs(tangent))
-            pull = traction_over_opening(interface[PEAK_NORMAL, k], opening_critical, strength) * max(normal, 0.0)
-            shear = traction_over_opening(interface[PEAK_TANGENT, k], opening_critical, strength) * tangent
+            interface[PEAK_NORMAL, k] = peak_normal
+            interface[PEAK_TANGENT, k] = peak_tangent
+            pull = traction_over_opening(law, peak_normal) * max(normal, 0.0)
+            shear = traction_over_opening(law, peak_tangent) * tangent
             interface[TRACTION_X, k] = pull * nx + shear * ny
             interface[TRACTION_Y, k] = pull * ny - shear * nx
             force_x = area * interface[TRACTION_X, k]

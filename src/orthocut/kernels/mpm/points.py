@@ -10,7 +10,8 @@ velocity fields, as APIC does (Jiang et al. 2015, ACM Trans. Graph. 34, 51), but
 import math
 
 from orthocut.kernels.jit import jit, part
-from orthocut.kernels.laws.neo_hookean_j2 import energy_elastic, energy_plastic, pressure_kirchhoff, update
+from orthocut.kernels.laws.hardening import energy_plastic
+from orthocut.kernels.laws.neo_hookean_j2 import energy_elastic, pressure_kirchhoff, update
 from orthocut.kernels.mpm.layout import (
     BLOCK,
     BXX,
@@ -78,8 +79,7 @@ def weigh_lanes(work, frame):
 @part
 def update_lanes(work, solid, frame, time_step):
     """Move each lane and update deformation, state and Kirchhoff stress (times initial volume over cell size)."""
-    modulus_bulk, modulus_shear = solid.modulus_bulk, solid.modulus_shear
-    stress_yield, modulus_plastic = solid.stress_yield, solid.modulus_plastic
+    modulus_bulk, modulus_shear, hardening = solid.modulus_bulk, solid.modulus_shear, solid.hardening
     rate = time_step * frame.inv_cell
     volume_of_mass = frame.inv_cell / solid.density
     for lane in range(LANES):
@@ -109,8 +109,7 @@ def update_lanes(work, solid, frame, time_step):
             dyx,
             dyy,
             modulus_shear,
-            stress_yield,
-            modulus_plastic,
+            hardening,
         )
         work[BXX * LANES + lane] = bxx
         work[BYY * LANES + lane] = byy
@@ -199,6 +198,6 @@ def sum_energies(points, solid):
             trace = bxx + byy + 1.0 / (bxx * byy - bxy * bxy)
             volume = mass / solid.density
             elastic += volume * energy_elastic(fxx * fyy - fxy * fyx, trace, solid.modulus_bulk, solid.modulus_shear)
-            plastic += volume * energy_plastic(points[at + EPS * LANES], solid.stress_yield, solid.modulus_plastic)
+            plastic += volume * energy_plastic(solid.hardening, points[at + EPS * LANES])
             kinetic += 0.5 * mass * (vx * vx + vy * vy)
     return elastic, plastic, kinetic

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from orthocut.kernels.laws.neo_hookean_j2 import energy_elastic, energy_plastic, pressure_kirchhoff, update
+from orthocut.kernels.laws.hardening import energy_plastic
+from orthocut.kernels.laws.neo_hookean_j2 import energy_elastic, pressure_kirchhoff, update
+from orthocut.mpm.laws import hardening_of
 from orthocut.params.material import ElasticPlastic
 
 PAPER = {name: ElasticPlastic(modulus_tangent=f"{name} MPa") for name in (0, 100)}
@@ -17,15 +19,15 @@ class Sample:
 
     def __init__(self, material):
         self.material = material
+        self.hardening = hardening_of(material)
         self.deformation = np.eye(2)
         self.state = (1.0, 1.0, 0.0, 0.0)
         self.deviator = (0.0, 0.0, 0.0)
 
     def step(self, increment):
-        m = self.material
         (fxx, fxy), (fyx, fyy) = increment
         *state, sxx, syy, sxy = update.py_func(
-            *self.state, fxx, fxy, fyx, fyy, m.modulus_shear, m.stress_yield, m.modulus_plastic
+            *self.state, fxx, fxy, fyx, fyy, self.material.modulus_shear, self.hardening
         )
         self.state, self.deviator = tuple(state), (sxx, syy, sxy)
         self.deformation = increment @ self.deformation
@@ -62,8 +64,7 @@ class Sample:
 
     @property
     def plastic_work(self):
-        m = self.material
-        return energy_plastic.py_func(self.strain_plastic, m.stress_yield, m.modulus_plastic)
+        return energy_plastic(self.hardening, self.strain_plastic)
 
 
 @pytest.mark.parametrize(
@@ -81,6 +82,18 @@ def test_uniaxial_strain(tangent, stretch, xx, yy, strain):
     assert sample.cauchy[0, 0] / 1e6 == pytest.approx(xx, abs=0.02)
     assert sample.cauchy[1, 1] / 1e6 == pytest.approx(yy, abs=0.02)
     assert sample.strain_plastic == pytest.approx(strain, abs=1e-4)
+
+
+@pytest.mark.parametrize("tangent", [0, 100])
+def test_uniaxial_strain_at_small_strain(tangent):
+    """Closed form of small-strain plasticity; the stresses are a thousandth of the paper's."""
+    material = ElasticPlastic(stress_yield="25 kPa", modulus_tangent=f"{tangent} MPa")
+    strain, shear, slope = 1e-4, material.modulus_shear, material.modulus_plastic
+    sample = Sample(material).to(np.diag([1 + strain, 1.0]))
+    plastic = (2 * shear * strain - 25e3) / (3 * shear + slope)
+    stress = material.modulus_bulk * strain + 2 / 3 * (25e3 + slope * plastic)
+    assert sample.strain_plastic == pytest.approx(plastic, rel=1e-3)
+    assert sample.cauchy[0, 0] == pytest.approx(stress, rel=3e-4)
 
 
 def test_simple_shear_yields_at_the_von_mises_stress():
