@@ -23,11 +23,11 @@ ELASTIC = PLASTIC._replace(stress_yield=1e15)
 """The same without yielding."""
 SPEED = math.sqrt((PLASTIC.modulus_bulk + 4 * PLASTIC.modulus_shear / 3) / PLASTIC.density)
 """Speed of pressure waves [m/s]."""
-YOUNG = 9 * 980e6 * 376e6 / (3 * 980e6 + 376e6)
 YOUNG_PLANE = 4 * 376e6 * (3 * 980e6 + 376e6) / (3 * 980e6 + 4 * 376e6)
 """Plane-strain modulus E' [Pa]."""
 FAR = 1e3
 TOOL_AT_REST = Wedge(0.0, 0.0, 0.0, 0.0, 1e-300, 0.0)
+NO_COHESION = Cohesion(0.0, 1.0)
 
 
 def rectangle(left: float, right: float, low: float, high: float, cell: float) -> np.ndarray:
@@ -74,7 +74,7 @@ class Bodies(Solver):
         wedge=TOOL_AT_REST,
         tip=FAR,
         pairs_at=(),
-        cohesion=Cohesion(40e6, 1.0),
+        cohesion=NO_COHESION,
     ):
         mass = solid.density * cell**2
         blocks = [

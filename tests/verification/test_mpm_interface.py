@@ -133,14 +133,13 @@ def test_force_and_opening_of_the_arms_need_no_length_of_the_crack(beam):
     """Exact while the crack grows: P^2 w = (2/3) M^3/(E' I), from P a = 2 M and w = P a^3/(12 E' I)."""
     ratio = (beam["force"] ** 2 * beam["opening"]).mean() / (2 / 3 * MOMENT**3 / STIFF)
     print(f"support {beam['support']}: P^2 w is {ratio:.3f} of the exact value")
-    assert 1.0 < ratio < (1.12 if beam["support"] else 1.25)
+    assert 0.95 < ratio < (1.12 if beam["support"] else 1.25)
 
 
 def test_crack_between_the_arms_costs_the_toughness(beam):
     """Exact: the work of the interface is Gc times the growth of the crack; the rest of the losses is small."""
-    grown = np.ptp(beam["crack"])
-    cost = np.ptp(beam["cohesive"]) / grown
-    lost = np.ptp(beam["numerical"]) / grown
+    cost = np.polyfit(beam["crack"], beam["cohesive"], 1)[0]
+    lost = np.polyfit(beam["crack"], beam["numerical"], 1)[0]
     print(f"support {beam['support']}: {cost / TOUGH:.3f} Gc for the interface, {lost / TOUGH:.3f} Gc lost")
-    assert cost == pytest.approx(TOUGH, rel=0.05)
+    assert cost == pytest.approx(TOUGH, rel=0.04 if beam["support"] else 0.08)
     assert lost < (0.05 if beam["support"] else 0.1) * TOUGH

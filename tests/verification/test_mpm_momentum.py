@@ -13,8 +13,8 @@ from orthocut.params.case import load
 
 CELL = 1e-3
 FADE = (
-    "support.py: between no mass and that of a firm node, a loose node takes own^2 of its force per mass and (1 - own) of "
-    "the change of firm nodes; own + (1 - own) would be one, and masses must follow the same weights as forces"
+    "support.py: between no mass and that of a firm node, a loose node takes own^2 of its force per mass and (1 - own) "
+    "of the change of firm nodes, which is less than one in sum; and masses do not follow the weights of forces"
 )
 LOOSE = pytest.param(0.1, marks=pytest.mark.xfail(strict=True, reason=FADE))
 
@@ -92,12 +92,11 @@ def test_block_that_turns_by_ninety_degrees_comes_out_as_it_was(support):
     turned = np.array([[0, -1], [1, 0]]) @ start
     misplaced = np.abs(body.place - turned).max() / CELL
     stress = np.abs(body.stress()).max() / ELASTIC.modulus_shear
-    print(
-        f"support {support}: misplaced by {misplaced:.1e} cells, stress {stress:.1e} G, spin {body.spin / spin - 1:.1e}"
-    )
+    change = body.spin / spin - 1
+    print(f"support {support}: misplaced by {misplaced:.1e} cells, stress {stress:.1e} G, change of spin {change:.1e}")
     assert misplaced < 1e-2
     assert stress < 1e-6
-    assert body.spin == pytest.approx(spin, rel=1e-3 if support else 1e-5)
+    assert abs(change) < (1e-3 if support else 1e-5)
 
 
 @pytest.mark.parametrize("shift", [0.0, 0.3])
