@@ -49,14 +49,14 @@ def test_uniform_force_accelerates_a_body_as_a_whole(support):
 
 @pytest.mark.parametrize("support", [0.0, LOOSE])
 def test_free_body_keeps_its_momentum_while_it_deforms(support):
-    """Exact: internal forces have no sum; what is left is round-off."""
+    """Exact: internal forces have no sum, but for nodes of a billionth of a cell's mass, which are left out."""
     body = block(support)
     scale = stir(body)
     before = body.momentum
     body.run(200)
     change = abs(body.momentum - before).max() / scale
     print(f"support {support}: momentum changes by {change:.1e} of its scale in 200 steps")
-    assert change < 1e-12
+    assert change < 1e-8
 
 
 @pytest.mark.parametrize("support", [0.0, LOOSE])
