@@ -94,12 +94,12 @@ def test_particles_fill_space(hardening):
 
 @pytest.mark.parametrize("depth", ["0.5 mm", "1 mm"])
 def test_touching_force_is_that_of_the_shear_plane(depth):
-    """Perfectly plastic, frictionless, rake angle 30 degrees: within 15 % of Nairn (2015), eq (15)."""
+    """Perfectly plastic, frictionless, rake angle 30 degrees: within 7 % of Nairn (2015), eq (15)."""
     case = load("mpm", {"cut_depth": depth, "modulus_tangent": "0 MPa", **QUICK})
     result = simulate(case)
     theory = touching.solve(case.material, case.interface, case.tool, case.cut_depth)
     assert float(result.touching) == 1.0
-    assert float(result.force_cutting_mean) == pytest.approx(theory.force_cutting, rel=0.15)
+    assert float(result.force_cutting_mean) == pytest.approx(theory.force_cutting, rel=0.07)
 
 
 SHORT = {"points_per_depth": 4, "length_ratio": 8.0, "travel_ratio": 4.0, "window_ratio": 2.0}
@@ -131,10 +131,19 @@ def test_unstable_time_step_is_diagnosed():
         simulate(load("mpm", {**SHORT, "courant": 1.0}))
 
 
-def test_chip_that_sinks_into_the_base_is_diagnosed():
-    """A tool with a negative rake angle pushes the chip down, where the failed interface does not hold it."""
-    with pytest.raises(Diverged, match="sinks into the base"):
-        simulate(load("mpm", {**SHORT, "rake_angle": "-15 deg"}))
+def test_negative_rake_angle_cuts_to_the_end_with_the_chip_above_the_base():
+    """A tool at -15 degrees presses the chip down; failed pairs keep it above the cut, to less than a cell."""
+    case = load("mpm", {**SHORT, "points_per_depth": 6, "rake_angle": "-15 deg", "modulus_tangent": "0 MPa"})
+    run = simulate(case)
+    theory = touching.solve(case.material, case.interface, case.tool, case.cut_depth)
+    chip = 6 * round(8.0 * 6)
+    lowest = float(run.point_y[:, :chip].min()) / run.attrs["cell_m"]
+    force, closure = float(run.force_cutting_mean), float(run.energy_closure)
+    print(f"force {force:.0f} N/m, lowest point of the chip at {lowest:.2f} cells, closure {closure:.1e}")
+    assert float(run.tool_travel[-1]) == pytest.approx(4.0 * 0.9e-3, rel=1e-3)
+    assert 0.8 < force / theory.force_cutting < 1.4
+    assert lowest > -1.0
+    assert abs(closure) < 5e-3
 
 
 def test_stiff_interface_shortens_the_time_step():
@@ -156,7 +165,10 @@ def test_tool_travels_as_far_as_the_case_says_however_often_it_is_sampled(monkey
 
 
 def test_elastic_cut_pays_for_the_crack_and_for_the_transfers_alone():
-    """Without plasticity and friction the force is the toughness; the balance finds all that is more in transfers."""
+    """Without plasticity and friction the force is the toughness; the balance finds all that is more in transfers.
+
+    Nodes with little mass that follow firm ones keep the losses below a third of the toughness.
+    """
     case = load("mpm", {"points_per_depth": 6, "stress_yield": "100 GPa", "modulus_tangent": "0 MPa"})
     run = simulate(case)
     late = slice(300, None)
@@ -166,6 +178,8 @@ def test_elastic_cut_pays_for_the_crack_and_for_the_transfers_alone():
     per_travel = {name: value / change["tool_travel"] for name, value in change.items()}
     lost = per_travel["energy_numerical"] + per_travel["energy_contact"]
     stored = per_travel["energy_elastic"] + per_travel["energy_kinetic"]
+    print(f"force over toughness {float(run.force_cutting_mean) / case.interface.toughness:.3f}, lost {lost:.0f} J/m2")
     assert per_travel["energy_plastic"] == 0.0
     assert per_travel["work_tool"] - lost - stored == pytest.approx(case.interface.toughness, rel=0.05)
-    assert lost > 0.3 * case.interface.toughness
+    assert 0.0 < lost < 0.33 * case.interface.toughness
+    assert float(run.force_cutting_mean) < 1.3 * case.interface.toughness
