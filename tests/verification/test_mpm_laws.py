@@ -5,7 +5,14 @@ import pytest
 from orthocut.params.case import load
 from orthocut.run import run_case
 
-SHORT = {"points_per_depth": 5, "travel_ratio": 4.0, "window_ratio": 2.0, "length_ratio": 8.0, "notch_ratio": 1.0}
+SHORT = {
+    "points_per_depth": 5,
+    "travel_ratio": 4.0,
+    "window_ratio": 2.0,
+    "window": "fixed",
+    "length_ratio": 8.0,
+    "notch_ratio": 1.0,
+}
 
 
 def cut(**values):

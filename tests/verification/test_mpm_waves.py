@@ -73,7 +73,6 @@ def test_standing_wave_has_the_frequency_of_a_bar_to_second_order(waves, support
     assert abs(errors[-1]) < 1e-3
 
 
-@pytest.mark.xfail(strict=True, reason="loose nodes take too little of a uniform force, see test_mpm_momentum.py")
 def test_standing_wave_is_of_second_order_with_support_and_surfaces_inside_of_cells():
     """Exact: as above, with loose nodes all along the bar."""
     runs = [standing_wave(cells, shift=0.3, support=0.1) for cells in CELLS]

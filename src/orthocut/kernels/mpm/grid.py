@@ -74,7 +74,7 @@ def update_grid(grid, extent, frame, last_clamped_row, damping):
                 grid[at + NVY] = 0.0
                 continue
             vx, vy = px / mass, py / mass
-            rate = time_step / (mass + mark)
+            rate = time_step / max(mass + mark, 0.5 * mass)
             new_vx = vx + rate * fx - time_step * damping * vx
             new_vy = vy + rate * fy - time_step * damping * vy
             grid[at + NVX] = new_vx

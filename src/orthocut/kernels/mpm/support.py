@@ -7,8 +7,9 @@ whatever the speed and the time step; smaller cells help only in proportion to t
 
 A loose node therefore has no motion of its own. Its force goes to the firm nodes on lines that lead into the material,
 and it moves with the straight line through their changes of velocity: v1 - (v2 - v1) for the nearest and the next node.
-Both use the same weights, so forces keep their sum and their moment, and linear fields of velocity stay exact. Between
-no mass and the mass of a firm node the own motion fades in. The idea is that of aggregated finite elements (Badia,
+Forces, masses and velocities use the same weights, so that forces keep their sum and their moment, a force that all
+nodes feel alike moves all alike, and linear fields of velocity stay exact. Between no mass and the mass of a firm node
+the own motion fades in. The idea is that of aggregated finite elements (Badia,
 Verdugo & Martin 2018, Comput. Methods Appl. Mech. Eng. 336, 533).
 """
 
@@ -38,7 +39,7 @@ def lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row):
     Parameters
     ----------
     grid : float array
-        Nodes of the body, marks zero. Firm nodes receive forces, and masses in their marks [kg/m]; loose nodes are
+        Nodes of the body, marks zero. Firm nodes receive forces, and masses (some less than zero) in their marks [kg/m]; loose nodes are
         marked and keep their own force.
     extent : int array, shape (4,)
         First and last column, first and last row of the nodes in use.
@@ -79,7 +80,7 @@ def lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row):
                         total += weight
             if total == 0.0:
                 continue
-            given = 1.0 - mass / firm
+            given = 1.0 - (mass / firm) ** 2
             for d in range(DIRECTIONS):
                 weights[count, d] /= total
                 share = given * weights[count, d]
@@ -91,7 +92,8 @@ def lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row):
                     grid[first + NFY] += 2.0 * fy
                     grid[second + NFX] -= fx
                     grid[second + NFY] -= fy
-                    grid[first + NMARK] += share * mass
+                    grid[first + NMARK] += 2.0 * share * mass
+                    grid[second + NMARK] -= share * mass
             grid[node * NODE + NMARK] = LOOSE
             loose[count] = node
             count += 1
@@ -115,7 +117,7 @@ def follow_firm_nodes(grid, loose, weights, count, frame):
         node = loose[k]
         at = node * NODE
         mass = grid[at + NM]
-        own = mass / frame.mass_firm
+        own = (mass / frame.mass_firm) ** 2
         change_x = change_y = 0.0
         for d in range(DIRECTIONS):
             weight = weights[k, d]
@@ -127,7 +129,7 @@ def follow_firm_nodes(grid, loose, weights, count, frame):
                 change_y += 2.0 * weight * grid[first + NVY] - weight * grid[second + NVY]
                 change_x -= one * grid[first + NPX] - two * grid[second + NPX]
                 change_y -= one * grid[first + NPY] - two * grid[second + NPY]
-        rate = own * own * frame.time_step
+        rate = own * frame.time_step
         grid[at + NVX] = (grid[at + NPX] + rate * grid[at + NFX]) / mass + (1.0 - own) * change_x
         grid[at + NVY] = (grid[at + NPY] + rate * grid[at + NFY]) / mass + (1.0 - own) * change_y
 
@@ -140,7 +142,7 @@ def work_of_loose_forces(grid, grid_before, loose, weights, count, frame):
         node = loose[k]
         at = node * NODE
         mass = grid[at + NM]
-        given = 1.0 - mass / frame.mass_firm
+        given = 1.0 - (mass / frame.mass_firm) ** 2
         vx, vy = grid[at + NPX] / mass, grid[at + NPY] / mass
         if grid_before[at + NM] > frame.mass_small:
             vx, vy = grid_before[at + NVX], grid_before[at + NVY]

@@ -62,12 +62,20 @@ def test_forces_keep_their_sum_and_their_moment():
     assert moment[0] == pytest.approx(moment[1], rel=1e-3)
 
 
-def test_masses_are_handed_to_the_nearest_nodes():
+def test_masses_are_handed_on_whole():
     body = Body()
     body.lean()
-    given = (1 - 2e-7 / FRAME.mass_firm) * 2e-7 * FRINGE.sum()
+    given = (1 - (2e-7 / FRAME.mass_firm) ** 2) * 2e-7 * FRINGE.sum()
     assert body.grid[INSIDE, layout.NMARK].sum() == pytest.approx(given, rel=1e-12)
     assert (body.grid[FRINGE, layout.NMARK] == LOOSE).all()
+
+
+def test_force_that_all_feel_alike_moves_all_alike():
+    body = Body(fringe=4e-7)
+    mass = body.grid[:, layout.NM]
+    body.grid[:, layout.NFX], body.grid[:, layout.NFY] = 2e3 * mass, -1e3 * mass
+    body.update()
+    np.testing.assert_allclose(body.get(layout.NVX)[INSIDE | FRINGE], [[2e-3, -1e-3]] * 42, rtol=1e-12)
 
 
 def test_changes_of_velocity_that_are_linear_in_space_stay_so():
