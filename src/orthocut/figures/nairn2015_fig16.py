@@ -47,7 +47,8 @@ def draw(dataset: xr.Dataset) -> Figure:
         ratio, fraction = thrust_ratio(tool.rake_angle, tool.friction), float(values(run, "mode_one_fraction"))
         ax.plot(ratio, fraction, "D" if tool.friction else "o", color=colour, mfc="white" if touches(run) else colour)
     ax.axhline(PAPER, color="0.6", lw=0.7, zorder=1)
-    ax.set_ylim(0, 105)
+    lowest = min(float(values(run, "mode_one_fraction")) for run in runs)
+    ax.set_ylim(50 if lowest > 55 else 0, 105)
     kinds = [
         Line2D([], [], color="0.25", marker=marker, ls="", label=text)
         for marker, text in (("o", "without friction"), ("D", "with friction"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from importlib.metadata import version
@@ -145,11 +146,10 @@ def _width(path: Path) -> int:
 
 
 def _words(name: str) -> str:
-    """Fig. 8 for fig08, table 4 for table4, other names as words."""
+    """Fig. 8 for fig08, Fig. 3A for fig03a, Table 4 for table4, other names as words."""
     for short, long in (("fig", "Fig. "), ("table", "Table ")):
-        number = name.removeprefix(short)
-        if number != name and number.isdigit():
-            return f"{long}{int(number)}"
+        if found := re.fullmatch(rf"{short}0*(\d+[a-z]?)", name):
+            return f"{long}{found[1].upper()}"
     return name.replace("_", " ")
 
 
