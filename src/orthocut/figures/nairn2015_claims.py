@@ -76,7 +76,7 @@ CLAIMS = (
     Claim(
         "rubbing grows with depth and rake angle",
         "Fig. 10",
-        "roughly linear, grows",
+        "grows with both",
         bending.rubbing_grows_with_rake_and_depth,
     ),
     Claim(
