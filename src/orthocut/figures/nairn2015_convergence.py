@@ -58,7 +58,7 @@ def draw(dataset: xr.Dataset) -> Figure:
             marker = MARKERS[used.setdefault(scene, 0) % len(MARKERS)]
             used[scene] += 1
             _series(ax, field, runs, colour, marker)
-            if ax is panels[0]:
+            if ax is panels[0] or not handles:
                 handles[name] = ax.plot([], [], marker, color=colour)[0]
         ax.set_xlim(left=0)
     if not scenes:

@@ -20,7 +20,7 @@ CAPTION = (
     "(2015), Fig. 10. Solid: straight lines through the runs that bend beyond a dimensionless depth of 0.28 (vertical "
     "line), as in the paper, where rubbing is low while the tool touches, rises just before the transition, and then "
     "grows with depth of cut and rake angle. Open symbols: the tool touches the crack tip; filled: the chip bends. "
-    "Crosses on the axis: failed runs."
+    "Runs do not tell the error of this force. Crosses on the axis: failed runs."
 )
 DIMS = ()
 

@@ -19,7 +19,7 @@ CAPTION = (
     "Nairn (2015), Fig. 16: all perfectly plastic runs of Figs 8 and 11. Open symbols: the tool touches the crack tip; "
     "filled: the chip bends. Circles: rake angle varied, without friction; diamonds: with friction. The paper has more "
     "than 90 % (line) wherever the chip bends, and touching runs that fall with the ratio. Crosses on the axis: failed "
-    "runs."
+    "runs. Each symbol is a mean over the interface that failed in the window."
 )
 DIMS = ()
 PAPER = 90.0

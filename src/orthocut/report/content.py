@@ -17,7 +17,16 @@ from orthocut.io.provenance import git_commit
 from orthocut.io.store import Store
 from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures
 from orthocut.plan import Plan, load_plan
-from orthocut.report.sheets import PAPERS, Sheet, claim_sheets, claims_of, origin_sheet, read_sheet, run_time_sheet
+from orthocut.report.sheets import (
+    PAPERS,
+    Sheet,
+    claim_sheets,
+    claims_of,
+    is_claims,
+    origin_sheet,
+    read_sheet,
+    run_time_sheet,
+)
 from orthocut.survey import Survey, as_rows, survey
 
 _DENSITY = 1.9
@@ -135,7 +144,7 @@ def _picture(name: str, results: Path, claims: list[Sheet]) -> Picture:
         image=_uri(_image(name, results)),
         width=round(_width(_image(name, results)) / _DENSITY),
         animation=_uri(motion) if motion.exists() else "",
-        table=read_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
+        table=None if is_claims(name) else read_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
         claims=claims_of(name, claims),
     )
 

@@ -39,13 +39,19 @@ def claim_sheets(results: Path) -> list[Sheet]:
     """Tables of claims: of the study, and the published ones of each paper."""
     own = [
         read_sheet(path, f"Claims, {_study_of(path.stem)}")
-        for path in sorted([*results.glob("tables/claims*.csv"), *results.glob("tables/*_claims.csv")])
+        for path in sorted(results.glob("tables/*claims*.csv"))
+        if is_claims(path.stem)
     ]
     published = [
         read_sheet(path, f"Claims of {PAPERS.get(path.parent.name, path.parent.name)}", f"claims-{path.parent.name}")
         for path in sorted(results.glob("published/*/claims.csv"))
     ]
     return own + published
+
+
+def is_claims(stem: str) -> bool:
+    """Whether a table is one of claims, by its name."""
+    return stem.startswith("claims") or stem.endswith("_claims")
 
 
 def _study_of(stem: str) -> str:
