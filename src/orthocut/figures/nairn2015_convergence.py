@@ -12,7 +12,7 @@ from orthocut.figures.extrapolation import Fit, extrapolate
 from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import over_toughness
-from orthocut.figures.symbols import draw_force
+from orthocut.figures.symbols import draw_force, draw_limit
 from orthocut.figures.tables import Table
 from orthocut.figures.varied import series_along, value_of
 from orthocut.io.collect import case_of
@@ -23,8 +23,9 @@ CAPTION = (
     "speed of the tool; runs of a series differ in nothing else. Colours: depths of cut and materials; symbols: "
     "schemes. Open: the tool touches the crack tip. Bars: standard error of the mean; pale bars: half of the drift "
     "over the window to either side. Left: weighted least-squares fits of a limit plus slope times size, dashed, and "
-    "times its square, dotted, with the standard errors of the limits; how far both limits lie apart says how much the "
-    "assumed order matters. Crosses on the axis: failed runs. The table lists all fits beside the models."
+    "times its square, dotted, with the limits (diamonds) and their standard errors; how far both limits lie apart "
+    "says how much the assumed order matters. Crosses on the axis: failed runs. The table lists all fits beside the "
+    "models."
 )
 DIMS = ()
 PANELS = (
@@ -60,7 +61,8 @@ def draw(dataset: xr.Dataset) -> Figure:
             _series(ax, field, runs, colour, marker)
             if ax is panels[0] or not handles:
                 handles[name] = ax.plot([], [], marker, color=colour)[0]
-        ax.set_xlim(left=0)
+        if field != "points_per_depth":
+            ax.set_xlim(left=0)
     if not scenes:
         for ax in panels:
             ax.clear()
@@ -121,4 +123,4 @@ def _series(ax: Axes, field: str, runs: list[xr.Dataset], colour: str, marker: s
     for power, style in POWERS:
         fit = _fit(runs, power)
         ax.plot(curve, fit.at(curve), style, color=colour, lw=0.8)
-        ax.errorbar(0.0, fit.limit, yerr=fit.error, color=colour, capsize=2, elinewidth=0.8, clip_on=False)
+        draw_limit(ax, fit.limit, fit.error, colour)

@@ -19,8 +19,10 @@ CAPTION = (
     "those of second order alone do. Updates that the runs do not have are left out; 'default' is the update of this "
     "program."
 )
-AHEAD, BELOW = 1.5, 1.0
-"""Range of the picture ahead of the tool tip and below the cut, in depths of cut."""
+AROUND, BELOW = 2.0, 1.0
+"""Least range of the picture around the tool tip, and below the cut, in depths of cut."""
+FLOWN = 0.005
+"""Share of the points of a chip that may lie beyond the picture on each side, where an update tears the chip apart."""
 
 
 @styled
@@ -52,15 +54,17 @@ def _order(run: xr.Dataset) -> int:
 
 
 def _box(run: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
-    """Lower left and upper right corner of the chip and of the tool tip [mm], without points that flew off."""
+    """Lower left and upper right corner of the chip and what is near the tool [mm]."""
     last = last_snapshot(run, "point_x")
     depth = 1e3 * case_of(run).cut_depth
     tip = float(np.atleast_1d(values(run, "tool_tip_snapshot"))[last])
     corners = parallelograms(run, last)[0].reshape(-1, 2)
-    chip = corners[(corners[:, 0] > tip - AHEAD * depth) & (corners[:, 1] > 0)]
-    high = np.quantile(chip, 0.995, axis=0) if len(chip) else np.array([tip, depth])
-    low = np.array([tip - AHEAD * depth, -BELOW * depth])
-    return low, np.maximum(high, [tip + depth, depth]) + 0.3 * depth
+    lifted = corners[corners[:, 1] > 1.05 * depth]
+    low, high = np.array([tip - AROUND * depth, -BELOW * depth]), np.array([tip + AROUND * depth, 2 * depth])
+    if len(lifted):
+        low[0] = min(low[0], np.quantile(lifted[:, 0], FLOWN) - 0.3 * depth)
+        high = np.maximum(high, np.quantile(lifted, 1 - FLOWN, axis=0) + 0.3 * depth)
+    return low, high
 
 
 def _panel(ax: Axes, run: xr.Dataset) -> None:

@@ -13,7 +13,7 @@ from orthocut.figures.extrapolation import extrapolate
 from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import over_toughness, touches
-from orthocut.figures.symbols import draw_force
+from orthocut.figures.symbols import draw_force, draw_limit
 from orthocut.io.collect import case_of
 from orthocut.theory import bending, touching
 
@@ -21,10 +21,11 @@ CAPTION = (
     "Cutting force over particle size, after Nairn (2015), Fig. 3B, and the share of the tool's work in the second "
     "half of the cut that transfers between points and grid lose. Circles: points hand on a share of the velocity "
     "gradient; squares: none of it (PIC, as in the paper). Bars: standard error of the mean; pale bars: half of the "
-    "drift over the window to either side. Dashed: weighted straight fits; their ends at zero, with standard errors, "
-    "are estimates of the converged force, and the distance between those of both schemes shows how sure they are. "
-    "Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool touches the crack "
-    "tip. Crosses on the axis: failed runs. The paper has the force of its 0.9 mm cut decline with particle size."
+    "drift over the window to either side. Dashed: weighted straight fits; their ends at zero (diamonds, with standard "
+    "errors) are estimates of the converged force, and the distance between those of both schemes shows how sure they "
+    "are. Triangles on the axis: the model of the regime, eq. (15) or bending. Open symbols: the tool touches the "
+    "crack tip. Crosses on the axis: failed runs. The paper has the force of its 0.9 mm cut decline with particle "
+    "size."
 )
 DIMS = ("sample",)
 
@@ -59,7 +60,7 @@ def draw(dataset: xr.Dataset) -> Figure:
             fit = extrapolate(sizes, [over_toughness(run) for run in runs], errors)
             ends = np.array([0.0, sizes.max()])
             force.plot(ends, fit.at(ends), color=colour, lw=0.8, ls="--")
-            force.errorbar(0.0, fit.limit, yerr=fit.error, color=colour, capsize=2, elinewidth=0.8, clip_on=False)
+            draw_limit(force, fit.limit, fit.error, colour)
         force.plot(0.0, _model(runs[0]), marker=5, color=colour, clip_on=False)
     for colour, (depth, tangent) in zip(SERIES * 9, scenes, strict=False):
         name = f"$h$ = {depth * 1e3:g} mm, $E_T$ = {tangent * 1e-6:g} MPa"
@@ -67,7 +68,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     for affine in sorted({group[2] for group in groups}):
         name = f"{affine:g} of the gradient" if affine else "PIC"
         force.plot([], [], ls="", marker="o" if affine else "s", color="0.25", label=name)
-    force.set_xlim(left=0)
+    force.set_xlim(left=min(force.get_xlim()[0], 0))
     force.set_ylim(bottom=0)
     loss.set_ylim(bottom=0)
     figure.legend(handles=force.get_legend_handles_labels()[0], loc="outside upper center", ncols=2)

@@ -27,7 +27,7 @@ CAPTION = (
     "notch, with the tool at the crack tip; right half: from a long one, with a bent chip; where the halves differ in "
     "colour, the regime depends on the start (hysteresis). Crosses: failed runs, where their half would stand. Lines "
     "join the depths of transition of either start, in the middle between the neighbouring runs. Star: transition of "
-    "the paper at 30°, 2.0-2.1 mm."
+    "the paper at 30°, 2.0-2.1 mm, drawn beside its place."
 )
 DIMS = ()
 TOUCHING, BENDING = BLUE, ORANGE
@@ -60,7 +60,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     panels[0].set_xlabel(r"rake angle $\alpha$ [°]")
     panels[1].set_xlabel("tangent modulus $E_T$ [MPa]")
     panels[0].set_ylabel("depth of cut $h$ [mm]")
-    panels[0].plot(PAPER_RAKE, PAPER_DEPTH, "*", color="0.1", ms=7, mfc="white", zorder=5)
+    panels[0].plot(PAPER_RAKE + 2.0, PAPER_DEPTH, "*", color="0.1", ms=7, mfc="white", zorder=5)
     figure.legend(handles=_handles(), loc="outside upper center", ncols=3)
     return figure
 

@@ -60,8 +60,11 @@ def transfers_do_not_change_the_force(cuts: Sequence[Cut]) -> Finding | None:
     usual_points = usual(cuts)[0].case.numerics.points_per_depth
     near = [pair for pair in pairs if pair[0].case.numerics.points_per_depth == usual_points] or pairs
     changes = [pic.force / other.force - 1 for pic, other in near]
+    compared = {(pic.depth, pic.case.material) for pic, _ in pairs}
     limits = "; ".join(
-        f"{scheme_words(group)}: {fit.limit:.2f} ± {fit.error:.2f}" for group, fit in fits(select(cuts, tangent=None))
+        f"{scheme_words(group)}: {fit.limit:.2f} ± {fit.error:.2f}"
+        for group, fit in fits(select(cuts, tangent=None))
+        if (group[0].depth, group[0].case.material) in compared
     )
     largest = max(changes, key=abs)
     return Finding(

@@ -15,6 +15,7 @@ from orthocut.figures.nairn2015_finding import (
     force_bending,
     force_touching,
     place_words,
+    scheme_words,
     verdict,
 )
 from orthocut.theory.forces import thrust_ratio
@@ -22,17 +23,17 @@ from orthocut.theory.forces import thrust_ratio
 
 def touching_agrees_without_friction(cuts: Sequence[Cut]) -> Finding | None:
     """Touching cuts without friction: within 10 % of eq. (15) in the mean, 25 % each, and so at zero particle size."""
-    limits = [
-        fit.limit / force_touching(group[-1]) - 1
+    limits = {
+        scheme_words(group): fit.limit / force_touching(group[-1]) - 1
         for group, fit in fits(select(cuts, tangent=0))
         if all(cut.touching for cut in group)
-    ]
+    }
     found = _touching_agreement([cut for cut in usual(cuts) if cut.case.tool.friction == 0], "(15)", "nairn2015_fig08")
     if found is None or not limits:
         return found
-    worst = max(limits, key=abs)
+    worst = max(limits.values(), key=abs)
     holds = found.verdict == REPRODUCED
-    words = "; ".join(f"{limit:+.0%}" for limit in limits)
+    words = "; ".join(f"{limit:+.0%} ({scheme})" for scheme, limit in limits.items())
     return found._replace(
         verdict=verdict(holds, abs(worst) <= 0.25), evidence=f"{found.evidence}; at zero particle size {words}"
     )

@@ -13,6 +13,7 @@ from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.regimes import Transition, transition
 from orthocut.figures.sweep import cut_depth, group_name, group_of, touches
+from orthocut.figures.symbols import draw_limit
 from orthocut.figures.tables import Table
 from orthocut.figures.varied import words
 from orthocut.io.collect import case_of
@@ -20,8 +21,9 @@ from orthocut.io.collect import case_of
 CAPTION = (
     "Depth of cut between the deepest run that touches the crack tip and the shallowest that bends, over particle "
     "size. Bars: from the one to the other; arrows: one regime only, the transition lies beyond. Dashed: straight fit "
-    "through three sizes or more, with its standard error at size zero. Dotted: the paper, 2.0-2.1 mm at a rake angle "
-    "of 30° with 15 points through the chip, perfectly plastic and without friction. Crosses on the axis: failed runs."
+    "through three sizes or more; diamond: its end at size zero, with standard error. Dotted: the paper, 2.0-2.1 mm at "
+    "a rake angle of 30° with 15 points through the chip, perfectly plastic and without friction. Crosses on the axis: "
+    "failed runs."
 )
 DIMS = ()
 PAPER = 2.05e-3
@@ -78,10 +80,10 @@ def draw(dataset: xr.Dataset) -> Figure:
             )
             ends = [0.0, max(known)]
             ax.plot(ends, fit.at(ends), "--", color=colour, lw=0.8)
-            ax.errorbar(0.0, fit.limit, yerr=fit.error, color=colour, capsize=2, elinewidth=0.8, clip_on=False)
+            draw_limit(ax, fit.limit, fit.error, colour)
         ax.plot([], [], "o", color=colour, label=_name(key, found))
     ax.axhline(1e3 * PAPER, color="0.4", ls=":", lw=0.9, label="Nairn (2015), 30°")
-    ax.set_xlim(left=0)
+    ax.set_xlim(left=min(ax.get_xlim()[0], 0))
     ax.set_ylim(bottom=0)
     figure.legend(handles=ax.get_legend_handles_labels()[0], loc="outside upper center", ncols=2)
     return figure

@@ -36,6 +36,13 @@ def draw_force(ax: Axes, run: xr.Dataset, x: float, colour: str, marker: str = "
     draw_run(ax, run, x, force, over_toughness(run, "force_cutting_error"), colour, marker, **style)
 
 
+def draw_limit(ax: Axes, limit: float, error: float, colour: str) -> None:
+    """Value at zero particle size and its standard error, and room for it left of the axis' zero."""
+    style = {"fmt": "D", "ms": 3, "mfc": "white", "capsize": 3, "elinewidth": 0.8, "zorder": 4}
+    ax.errorbar(0.0, limit, yerr=error, color=colour, **style)
+    ax.set_xlim(left=-0.04 * ax.get_xlim()[1])
+
+
 def state_handles(touching: str = "run, touching", bending: str = "run, bending") -> list[Line2D]:
     """Entries of a legend: open and filled symbols."""
     return [
