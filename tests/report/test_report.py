@@ -15,6 +15,7 @@ from orthocut.io.collect import collect
 from orthocut.io.datasets import failed
 from orthocut.io.store import Store
 from orthocut.params.case import validate
+from orthocut.report import content
 from orthocut.report.content import gather
 from orthocut.report.page import write as write_page
 
@@ -88,6 +89,7 @@ def page(tmp_path_factory):
         "claim,source,paper value,ours,error,verdict,evidence\nforce rises,Fig. 8,1,2,0.1,reproduced,nairn2015_fig08\n"
     )
     (results / "tables" / "claims.csv").write_text(claims)
+    (results / "tables" / "nairn2015_claims.csv").write_text(claims.replace("rises", "falls"))
     for paper, claim in (("nairn2015", "a,nairn2015_fig08"), ("yang2018", "b,nairn2015_fig080")):
         (results / "published" / paper).mkdir(parents=True)
         (results / "published" / paper / "claims.csv").write_text(f"a claim,figure\n{claim}\n")
@@ -147,6 +149,27 @@ def test_claims_stand_at_their_figures_with_their_own_header(page):
     for anchor in ("nairn2015_fig08-claims-nairn2015", "claims-nairn2015", "claims-yang2018", "table-claims"):
         assert text.count(f'id="{anchor}"') == 1
     assert "nairn2015_fig08-claims-yang2018" not in text
+
+
+def test_claims_of_a_paper_that_a_study_judged_stand_there_too(page):
+    text = page.read_text(encoding="utf-8")
+    assert text.count("force falls") == 2  # at fig08 and in the table of all claims
+    assert text.count('id="table-nairn2015_claims"') == 1
+    assert "Claims, Nairn (2015)" in text
+
+
+@pytest.mark.parametrize(
+    ("name", "title"),
+    [
+        ("fig03b", "Fig. 3B"),
+        ("fig10", "Fig. 10"),
+        ("table4", "Table 4"),
+        ("figures", "figures"),
+        ("regimes", "regimes"),
+    ],
+)
+def test_titles_of_figures(name, title):
+    assert content._words(name) == title
 
 
 def test_origins_and_run_times_are_those_of_the_results(page):

@@ -150,6 +150,13 @@ def test_another_figure_of_the_same_cases_simulates_nothing(finished):
         assert set(finished.planned()) == {"all", "collect", "figure"}
 
 
+def test_a_table_of_claims_makes_do_with_the_snapshots_that_are_there(finished):
+    path = finished.root / "workflow" / "config" / "smoke.yaml"
+    with edited(path, "figures:\n", "figures:\n  nairn2015_claims: [ductile]\n"):
+        assert finished.missing() == 0
+        assert set(finished.planned()) == {"all", "collect", "figure", "table"}
+
+
 def test_a_figure_that_draws_snapshots_has_them_made(finished):
     path = finished.root / "workflow" / "config" / "smoke.yaml"
     with edited(path, "figures:\n", "figures:\n  nairn2015_fig05: [ductile]\n"):

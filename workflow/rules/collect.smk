@@ -12,9 +12,9 @@ rule collect:
         "../envs/orthocut.yaml"
     params:
         members=lambda wildcards: members_of(PLAN.figures[wildcards.figure]),
-        sources=digest_datasets(),
+        sources=lambda wildcards: sources_of_dataset(wildcards.figure),
         dims=lambda wildcards: dims(wildcards.figure),
-        fields=lambda wildcards: draws_fields(wildcards.figure),
+        fields=lambda wildcards: draws_fields(wildcards.figure) or condense(wildcards.figure) is not None,
         store=STORE,
     script:
         "../scripts/collect.py"

@@ -6,7 +6,7 @@ from pathlib import Path
 from snakemake.exceptions import WorkflowError
 from snakemake.logging import logger
 
-from orthocut.figures.registry import caption, dims
+from orthocut.figures.registry import caption, condense, dims
 from orthocut.io.files import hold
 from orthocut.io.store import Store
 from orthocut.params.block import ConfigError
@@ -72,6 +72,11 @@ def members_of(cases):
 def dataset_of(figure):
     """File that a figure draws; none for a figure of theory alone."""
     return [f"{RESULTS}/datasets/{figure}.nc"] if PLAN.figures[figure] else []
+
+
+def sources_of_dataset(figure):
+    """Digest of what makes the dataset of a figure; with that of the pictures if the figure has a hand in it."""
+    return [digest_datasets(), digest_pictures()] if condense(figure) else digest_datasets()
 
 
 def figures_of(figures):

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import label, nothing, page, styled
 from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
-from orthocut.figures.sweep import dimensionless_depth, group_name, grouped, legend_columns, touches
+from orthocut.figures.rubbing import FIT_ABOVE, rubbing_line
+from orthocut.figures.sweep import cut_depth, dimensionless_depth, group_name, grouped, over_toughness
+from orthocut.figures.symbols import GREY, columns_of_handles, draw_run, state_handles
 from orthocut.io.collect import case_of
 
 CAPTION = (
     "Normal force of the finished surface on the tool (rubbing) over depth of cut, both dimensionless, after Nairn "
-    "(2015), Fig. 10. Open symbols: the tool touches the crack tip; filled: a gap separates them. "
-    "Crosses on the axis: failed runs."
+    "(2015), Fig. 10. Solid: straight lines through the runs that bend beyond a dimensionless depth of 0.28 (vertical "
+    "line), as in the paper, where rubbing is low while the tool touches, rises just before the transition, and then "
+    "grows with depth of cut and rake angle. Open symbols: the tool touches the crack tip; filled: the chip bends. "
+    "Runs do not tell the error of this force. Crosses on the axis: failed runs."
 )
 DIMS = ()
 
@@ -22,7 +28,7 @@ DIMS = ()
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """One colour a series."""
-    figure = page(2.7)
+    figure = page(3.2, 4.6)
     ax = figure.subplots()
     ax.set_xlabel(label("depth_dimensionless") + " [-]")
     ax.set_ylabel("rubbing force $F_n^b/(bG_c)$ [-]")
@@ -32,14 +38,21 @@ def draw(dataset: xr.Dataset) -> Figure:
         nothing(ax)
         return figure
 
+    marks = []
     for colour, (group, runs) in zip(SERIES * 9, groups.items(), strict=False):
-        depths = [dimensionless_depth(run) for run in runs]
-        forces = [float(run["force_rubbing_mean"]) / case_of(run).interface.toughness for run in runs]
-        ax.plot(depths, forces, color=colour, lw=0.6)
-        for run, depth, force in zip(runs, depths, forces, strict=True):
-            ax.plot(depth, force, "o", color=colour, mfc="white" if touches(run) else colour)
-        ax.plot([], [], "o", color=colour, label=group_name(group, groups))
+        for run in runs:
+            draw_run(ax, run, dimensionless_depth(run), over_toughness(run, "force_rubbing_mean"), np.nan, colour)
+        line = rubbing_line(runs, FIT_ABOVE)
+        if line is not None:
+            scale = dimensionless_depth(runs[-1]) / cut_depth(runs[-1])
+            ends = np.array([FIT_ABOVE / scale, cut_depth(runs[-1])])
+            toughness = case_of(runs[0]).interface.toughness
+            ax.plot(ends * scale, np.polyval(line, ends) / toughness, color=colour, lw=0.9)
+        marks.append(Line2D([], [], color=colour, marker="o", ls="", label=group_name(group, groups)))
     ax.axhline(0, color="0.4", lw=0.6)
+    ax.axvline(FIT_ABOVE, color="0.7", lw=0.6, zorder=1)
     ax.set_xlim(left=0)
-    figure.legend(loc="outside upper center", ncols=legend_columns(groups), columnspacing=1.2)
+    rest = [*state_handles(), Line2D([], [], color=GREY, label="straight line")]
+    handles = columns_of_handles(*[marks[start : start + 3] for start in range(0, len(marks), 3)], rest)
+    figure.legend(handles=handles, loc="outside upper center", ncols=len(handles) // 3, columnspacing=1.2)
     return figure

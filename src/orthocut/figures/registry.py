@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 from types import ModuleType
@@ -13,18 +14,26 @@ from orthocut.figures.holes import note, reasons
 from orthocut.figures.tables import Table
 
 FIGURES = {
-    "nairn2015_fig03": "nairn2015_fig03",
+    "nairn2015_fig02": "nairn2015_fig02",
+    "nairn2015_fig03a": "nairn2015_fig03a",
+    "nairn2015_fig03b": "nairn2015_fig03b",
     "nairn2015_fig04": "nairn2015_fig04",
     "nairn2015_fig05": "nairn2015_fig05",
     "nairn2015_fig07": "nairn2015_fig07",
-    "nairn2015_fig08": "nairn2015_forces",
+    "nairn2015_fig08": "nairn2015_fig08",
+    "nairn2015_fig09": "nairn2015_fig09",
     "nairn2015_fig10": "nairn2015_fig10",
-    "nairn2015_fig11": "nairn2015_forces",
-    "nairn2015_fig12": "nairn2015_forces",
-    "nairn2015_fig13": "nairn2015_forces",
-    "nairn2015_fig14": "nairn2015_forces",
-    "nairn2015_fig15": "nairn2015_forces",
+    "nairn2015_fig11": "nairn2015_fig11",
+    "nairn2015_fig12": "nairn2015_fig12",
+    "nairn2015_fig13": "nairn2015_fig13",
+    "nairn2015_fig14": "nairn2015_fig14",
+    "nairn2015_fig15": "nairn2015_fig15",
     "nairn2015_fig16": "nairn2015_fig16",
+    "nairn2015_fig17": "nairn2015_fig17",
+    "nairn2015_regimes": "nairn2015_regimes",
+    "nairn2015_transition": "nairn2015_transition",
+    "nairn2015_convergence": "nairn2015_convergence",
+    "nairn2015_claims": "nairn2015_claims",
     "nairn2015_animation": "cut_animation",
     "yang2018_animation": "cut_animation",
     "energy_balance": "energy_balance",
@@ -40,7 +49,8 @@ FIGURES = {
     "show": "show",
 }
 """Every module has ``draw(dataset) -> Figure`` and ``CAPTION``; with ``tabulate(dataset) -> Table`` also a table; with
-``DIMS`` a dataset of these dimensions of the runs only."""
+``DIMS`` a dataset of these dimensions of the runs only; with ``condense(run)`` a dataset of what that leaves of each
+run: it sees histories and, where other figures asked for them, snapshots."""
 
 WITHOUT_RUNS = frozenset({"nairn2015_fig07"})
 """Figures of theory alone."""
@@ -62,6 +72,11 @@ def module(name: str) -> ModuleType:
 def dims(name: str) -> tuple[str, ...] | None:
     """Dimensions of runs that a figure draws, beside single numbers; None for all."""
     return getattr(module(name), "DIMS", None)
+
+
+def condense(name: str) -> Callable[[xr.Dataset], xr.Dataset] | None:
+    """What a figure does to each run before they are joined; None if nothing."""
+    return getattr(module(name), "condense", None)
 
 
 def draw(name: str, dataset: xr.Dataset | None = None) -> Figure:

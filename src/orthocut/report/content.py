@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from importlib.metadata import version
@@ -16,7 +17,16 @@ from orthocut.io.provenance import git_commit
 from orthocut.io.store import Store
 from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures
 from orthocut.plan import Plan, load_plan
-from orthocut.report.sheets import PAPERS, Sheet, claim_sheets, claims_of, origin_sheet, read_sheet, run_time_sheet
+from orthocut.report.sheets import (
+    PAPERS,
+    Sheet,
+    claim_sheets,
+    claims_of,
+    is_claims,
+    origin_sheet,
+    read_sheet,
+    run_time_sheet,
+)
 from orthocut.survey import Survey, as_rows, survey
 
 _DENSITY = 1.9
@@ -134,7 +144,7 @@ def _picture(name: str, results: Path, claims: list[Sheet]) -> Picture:
         image=_uri(_image(name, results)),
         width=round(_width(_image(name, results)) / _DENSITY),
         animation=_uri(motion) if motion.exists() else "",
-        table=read_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
+        table=None if is_claims(name) else read_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
         claims=claims_of(name, claims),
     )
 
@@ -145,11 +155,10 @@ def _width(path: Path) -> int:
 
 
 def _words(name: str) -> str:
-    """Fig. 8 for fig08, table 4 for table4, other names as words."""
+    """Fig. 8 for fig08, Fig. 3A for fig03a, Table 4 for table4, other names as words."""
     for short, long in (("fig", "Fig. "), ("table", "Table ")):
-        number = name.removeprefix(short)
-        if number != name and number.isdigit():
-            return f"{long}{int(number)}"
+        if found := re.fullmatch(rf"{short}0*(\d+[a-z]?)", name):
+            return f"{long}{found[1].upper()}"
     return name.replace("_", " ")
 
 

@@ -38,14 +38,26 @@ def read_sheet(path: Path, title: str, anchor: str = "") -> Sheet | None:
 def claim_sheets(results: Path) -> list[Sheet]:
     """Tables of claims: of the study, and the published ones of each paper."""
     own = [
-        read_sheet(path, f"Claims, {path.stem.removeprefix('claims').strip('_-') or 'this study'}")
-        for path in sorted(results.glob("tables/claims*.csv"))
+        read_sheet(path, f"Claims, {_study_of(path.stem)}")
+        for path in sorted(results.glob("tables/*claims*.csv"))
+        if is_claims(path.stem)
     ]
     published = [
         read_sheet(path, f"Claims of {PAPERS.get(path.parent.name, path.parent.name)}", f"claims-{path.parent.name}")
         for path in sorted(results.glob("published/*/claims.csv"))
     ]
     return own + published
+
+
+def is_claims(stem: str) -> bool:
+    """Whether a table is one of claims, by its name."""
+    return stem.startswith("claims") or stem.endswith("_claims")
+
+
+def _study_of(stem: str) -> str:
+    """Whose claims a file holds: a paper's or a study's."""
+    name = stem.removeprefix("claims").removesuffix("claims").strip("_-")
+    return PAPERS.get(name, name) or "this study"
 
 
 def claims_of(figure: str, sheets: list[Sheet]) -> list[Sheet]:

@@ -15,16 +15,37 @@ from orthocut.io.collect import collect
 
 COARSE = {"numerics.points_per_depth": 3}
 BIG = {"packing.radius_min": "40 um"}
-SWEEPS = {f"nairn2015_fig{number}" for number in ("08", 10, 11, 12, 13, 14, 15, 16)}
+SWEEPS = {f"nairn2015_fig{number}" for number in ("08", 10, 11, 12, 13, 14, 15, 16)} | {"nairn2015_claims"}
+ALONE = {f"nairn2015_fig{number}" for number in ("02", "04", "05", 17)} | {"energy_balance", "show"}
 DISTINCT = list({module: name for name, module in reversed(registry.FIGURES.items())}.values())
 """One figure of each module."""
-UNITLESS = {"depth of cut, surface"}
+UNITLESS = {"depth of cut, surface", "claim of the paper"}
 
 
 def runs_for(name):
-    if name in ("nairn2015_fig04", "nairn2015_fig05", "energy_balance", "show"):
+    if name in ALONE:
         return [mpm_run(snapshots=2, **COARSE)]
-    if name == "nairn2015_fig03":
+    if name == "nairn2015_fig03a":
+        return [mpm_run(snapshots=0, base_ratio=depth) for depth in (1, 2, 3, 5)]
+    if name == "nairn2015_fig09":
+        return [
+            mpm_run(snapshots=2, cut_depth=depth, touching=touching, **COARSE)
+            for depth, touching in (("1 mm", 1), ("1.5 mm", 1), ("2 mm", 0), ("3 mm", 0))
+        ]
+    if name in ("nairn2015_regimes", "nairn2015_transition"):
+        return [
+            mpm_run(snapshots=0, cut_depth=depth, touching=touching, modulus_tangent="0 MPa", notch_ratio=notch, **size)
+            for notch in (2, 8)
+            for size in ({"points_per_depth": 4}, {"points_per_depth": 6})
+            for depth, touching in (("1 mm", 1), ("2 mm", notch == 2), ("3 mm", 0))
+        ]
+    if name == "nairn2015_convergence":
+        return [
+            mpm_run(snapshots=0, force=5e3 + 9e3 / points, points_per_depth=points, **{field: value})
+            for points in (4, 6, 9)
+            for field, value in (("affine", 0), ("affine", 0.9), ("courant", 0.2), ("cut_speed", "2 m/s"))
+        ]
+    if name == "nairn2015_fig03b":
         return [mpm_run(snapshots=0, force=5e3 + 9e3 / n, **{"numerics.points_per_depth": n}) for n in (4, 6, 9)]
     if name in SWEEPS:
         return [

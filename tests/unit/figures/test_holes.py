@@ -38,7 +38,9 @@ def test_every_figure_names_a_failed_case_and_its_reason(name, others, tmp_path)
     assert reasons(dataset)[0].split(": ")[1] in texts(figure)
 
 
-@pytest.mark.parametrize("name", ["nairn2015_fig03", "nairn2015_fig08", "nairn2015_fig10", "nairn2015_fig16"])
+@pytest.mark.parametrize(
+    "name", [f"nairn2015_fig{number}" for number in ("03a", "03b", "08", 10, 11, 12, 13, 14, 15, 16)]
+)
 def test_sweeps_mark_where_a_failed_case_would_stand(name):
     marks = []
     for runs in ([mpm_run()], [mpm_run(), hole(name)]):

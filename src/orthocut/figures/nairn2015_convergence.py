@@ -1,0 +1,126 @@
+"""Discretisation error of ductile cuts: force over particle size, time step and tool speed, with extrapolations."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from orthocut.figures.canvas import PAGE, nothing, page, styled
+from orthocut.figures.extrapolation import Fit, extrapolate
+from orthocut.figures.holes import failed, mark
+from orthocut.figures.palette import SERIES
+from orthocut.figures.sweep import over_toughness
+from orthocut.figures.symbols import draw_force, draw_limit
+from orthocut.figures.tables import Table
+from orthocut.figures.varied import series_along, value_of
+from orthocut.io.collect import case_of
+from orthocut.theory import bending, touching
+
+CAPTION = (
+    "Cutting force over particle size, over the Courant number, to which the time step is proportional, and over the "
+    "speed of the tool; runs of a series differ in nothing else. Colours: depths of cut and materials; symbols: "
+    "schemes. Open: the tool touches the crack tip. Bars: standard error of the mean; pale bars: half of the drift "
+    "over the window to either side. Left: weighted least-squares fits of a limit plus slope times size, dashed, and "
+    "times its square, dotted, with the limits (diamonds) and their standard errors; how far both limits lie apart "
+    "says how much the assumed order matters. Crosses on the axis: failed runs. The table lists all fits beside the "
+    "models."
+)
+DIMS = ()
+PANELS = (
+    ("points_per_depth", "particle size over depth of cut $1/n$ [-]", 3),
+    ("courant", "Courant number $C$ [-]", 2),
+    ("cut_speed", "speed of the tool $v$ [m/s]", 2),
+)
+MARKERS = "osD^vPX"
+POWERS = ((1.0, "--"), (2.0, ":"))
+
+
+@styled
+def draw(dataset: xr.Dataset) -> Figure:
+    """One panel for each field: size, time step, speed."""
+    figure = page(3.4, PAGE)
+    panels = figure.subplots(1, len(PANELS), sharey=True)
+    panels[0].set_ylabel("force $F_c/(bG_c)$ [-]")
+    scenes: list[tuple] = []
+    handles: dict[str, object] = {}
+    for ax, (field, text, least) in zip(panels, PANELS, strict=True):
+        ax.set_xlabel(text)
+        mark(ax, [_place(run, field) for run in failed(dataset, "mpm_cutting")])
+        series = series_along(dataset, field, "force_cutting_mean", least=least)
+        if not series:
+            ax.text(0.5, 0.5, "no series", transform=ax.transAxes, ha="center", color="0.5")
+        used: dict[tuple, int] = {}
+        for name, runs in series:
+            scene = _scene(runs[0])
+            scenes += [scene] if scene not in scenes else []
+            colour = (SERIES * 9)[scenes.index(scene)]
+            marker = MARKERS[used.setdefault(scene, 0) % len(MARKERS)]
+            used[scene] += 1
+            _series(ax, field, runs, colour, marker)
+            if ax is panels[0] or not handles:
+                handles[name] = ax.plot([], [], marker, color=colour)[0]
+        if field != "points_per_depth":
+            ax.set_xlim(left=0)
+    if not scenes:
+        for ax in panels:
+            ax.clear()
+            nothing(ax)
+            ax.set_axis_off()
+        return figure
+    panels[0].set_ylim(bottom=0)
+    figure.legend(handles.values(), handles.keys(), loc="outside upper center", ncols=2)
+    return figure
+
+
+def tabulate(dataset: xr.Dataset) -> Table:
+    """Limits of all series over particle size for both orders, beside the model of the regime of the finest run."""
+    header = ["series", "points through the chip", "limit, first order [-]", "standard error [-]", "chi2/freedom"]
+    header += ["limit, second order [-]", "standard error [-]", "chi2/freedom", "model [-]"]
+    rows = []
+    for name, runs in series_along(dataset, "points_per_depth", "force_cutting_mean", least=3):
+        fits = [_fit(runs, power) for power, _ in POWERS]
+        numbers = [number for fit in fits for number in (fit.limit, fit.error, fit.misfit)]
+        points = " ".join(f"{case_of(run).numerics.points_per_depth}" for run in runs)
+        rows.append([name.replace("$", ""), points, *numbers, _model(runs[-1])])
+    return Table("Cutting force over toughness at zero particle size", header, rows)
+
+
+def _place(run: xr.Dataset, field: str) -> float:
+    """Where a run stands on the axis of a field."""
+    value = value_of(run, field)
+    return 1.0 / value if field == "points_per_depth" else value
+
+
+def _scene(run: xr.Dataset) -> tuple:
+    """What is cut, without how it is computed."""
+    case = case_of(run)
+    return case.cut_depth, case.tool, case.material, case.interface
+
+
+def _fit(runs: list[xr.Dataset], power: float) -> Fit:
+    sizes = [_place(run, "points_per_depth") for run in runs]
+    errors = [over_toughness(run, "force_cutting_error") for run in runs]
+    return extrapolate(sizes, [over_toughness(run) for run in runs], errors, power)
+
+
+def _model(run: xr.Dataset) -> float:
+    """Force over toughness of the touching or of the bending model, as the run has it [-]."""
+    case = case_of(run)
+    model = touching if float(run["touching"]) >= 0.5 else bending
+    return model.solve(case.material, case.interface, case.tool, case.cut_depth).force_over_toughness
+
+
+def _series(ax: Axes, field: str, runs: list[xr.Dataset], colour: str, marker: str) -> None:
+    places = [_place(run, field) for run in runs]
+    for run, place in zip(runs, places, strict=True):
+        draw_force(ax, run, place, colour, marker)
+    if field != "points_per_depth":
+        ax.plot(places, [over_toughness(run) for run in runs], color=colour, lw=0.6)
+        return
+    curve = np.linspace(0.0, max(places), 40)
+    for power, style in POWERS:
+        fit = _fit(runs, power)
+        ax.plot(curve, fit.at(curve), style, color=colour, lw=0.8)
+        draw_limit(ax, fit.limit, fit.error, colour)

@@ -1,0 +1,75 @@
+"""Series of runs that differ in one field of the case, and words for what tells the series apart."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import xarray as xr
+
+from orthocut.figures.canvas import cases
+from orthocut.io.collect import case_of, parameters
+from orthocut.variables import VARIABLES
+
+Series = list[tuple[str, list[xr.Dataset]]]
+"""Name of each series and its runs, in order of the field."""
+
+SPECIAL = {
+    "affine": lambda value: f"{value:g} of the gradient" if value else "PIC",
+    "law": str,
+}
+"""Words for fields whose symbol and value would say little."""
+
+
+def series_along(dataset: xr.Dataset, field: str, *needed: str, least: int = 2, beside: tuple[str, ...] = ()) -> Series:
+    """Runs that agree in all but one field, in series along that field.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Collected runs.
+    field : str
+        Name of the field, as in the table of variables.
+    needed : str
+        Variables that a run must hold.
+    least : int
+        Smallest number of values of the field in a series; shorter ones are left out.
+    beside : tuple of str
+        Fields that may differ too, since they say how a run is made and not what it is.
+    """
+    groups: dict[tuple, list[tuple[float, xr.Dataset]]] = {}
+    values: dict[tuple, dict[str, Any]] = {}
+    for run in cases(dataset, *needed, kind="mpm_cutting"):
+        fields = parameters(case_of(run))
+        if field not in fields:
+            continue
+        rest = {name: value for name, value in fields.items() if name != field and name not in beside}
+        key = tuple(sorted(rest.items()))
+        values[key] = rest
+        groups.setdefault(key, []).append((fields[field], run))
+    chosen = {key: group for key, group in groups.items() if len({value for value, _ in group}) >= least}
+    names = _names([values[key] for key in chosen])
+    ordered = [[run for _, run in sorted(group, key=lambda pair: pair[0])] for group in chosen.values()]
+    return sorted(zip(names, ordered, strict=True), key=lambda pair: pair[0])
+
+
+def value_of(run: xr.Dataset, field: str) -> float:
+    """Value of a field of a run, in the unit in which figures show it."""
+    return parameters(case_of(run))[field] * VARIABLES[field].scale
+
+
+def words(field: str, value: Any) -> str:
+    """A field and its value, for a legend."""
+    if field in SPECIAL:
+        return SPECIAL[field](value)
+    row = VARIABLES.get(field)
+    if row is None or isinstance(value, str):
+        return f"{field.replace('_', ' ')} {value}"
+    name = f"${row.symbol}$" if row.symbol else row.long_name
+    unit = "°" if row.display == "deg" else f" {row.display or row.unit}"
+    return f"{name} = {float(value) * row.scale:.4g}" + (unit if unit != " 1" else "")
+
+
+def _names(groups: list[dict[str, Any]]) -> list[str]:
+    """What tells each group from the others."""
+    varied = [name for name in (groups[0] if groups else {}) if len({group.get(name) for group in groups}) > 1]
+    return [", ".join(words(name, group[name]) for name in varied if name in group) or "runs" for group in groups]
