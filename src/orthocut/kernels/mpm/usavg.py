@@ -6,7 +6,9 @@ Three contact passes a step, each on a grid of its own, all with the weights of 
 2. momentum before contact, and forces; the tool's forces are those of this pass;
 3. momentum of the updated points; these velocities drive the second half of the update of stresses.
 
-Interface and work of forces follow the mean of the first and the third velocities, which is what deforms the points.
+The interface moves with the third velocities at the end of the step, so that tractions and motion make a stable pair:
+with the mean of the first and the third, the field that deforms the points, tractions of the start of the step feed
+vibrations of the interface.
 """
 
 import math
@@ -36,7 +38,7 @@ from orthocut.kernels.mpm.step import (
     TIP,
     WORK,
 )
-from orthocut.kernels.mpm.usavg_grid import average_velocities, copy_loads, set_velocities
+from orthocut.kernels.mpm.usavg_grid import copy_loads, set_velocities, work_of_stresses
 from orthocut.kernels.mpm.usavg_points import accelerate_points, load_points, settle_points
 
 FIRST, SECOND, THIRD = 0, 1, 2
@@ -136,10 +138,12 @@ def run_steps_usavg(
             set_velocities(grid, grid, extents[body, 0], frame, clamped[body])
         touch(grids[CHIP, THIRD], grids[BASE, THIRD], closed, on_chip, on_base, wedge, speed, frame, space)
         for body in (CHIP, BASE):
-            work += average_velocities(
-                grids[body, FIRST], grids[body, THIRD], grids[body, SECOND], extents[body, 0], frame
+            work += work_of_stresses(
+                grids[body, FIRST], grids[body, SECOND], grids[body, THIRD], extents[body, 0], frame
             )
-        totals[COHESIVE] += move_pairs(interface, grids[CHIP, SECOND], grids[BASE, SECOND], frame)
+        opened = move_pairs(interface, grids[CHIP, THIRD], grids[BASE, THIRD], frame)
+        work -= opened
+        totals[COHESIVE] += opened
 
         kinetic = 0.0
         for body in (CHIP, BASE):

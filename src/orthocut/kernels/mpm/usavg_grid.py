@@ -39,30 +39,22 @@ def copy_loads(grid, target, extent, frame):
 
 
 @part
-def average_velocities(first, third, target, extent, frame):
-    """Set the velocities of a target grid to the mean of those of two grids.
+def work_of_stresses(first, second, third, extent, frame):
+    """Work of the internal forces of a step on the mean of the velocities that deform the points [J/m].
 
     Parameters
     ----------
-    first, third, target : float array
-        Nodes of a body.
+    first, second, third : float array
+        Nodes of a body. The forces of the first grid are those of the interface alone, the second one has all.
     extent : int array, shape (4,)
         First and last column, first and last row of the nodes in use.
     frame : Frame
         Grid and time step.
-
-    Returns
-    -------
-    float
-        Work of the forces of the target grid on these velocities in a step [J/m].
     """
     power = 0.0
     for j in range(extent[2], extent[3] + 1):
         row = j * frame.count_x
         for at in range((row + extent[0]) * NODE, (row + extent[1] + 1) * NODE, NODE):
-            vx = 0.5 * (first[at + NVX] + third[at + NVX])
-            vy = 0.5 * (first[at + NVY] + third[at + NVY])
-            target[at + NVX] = vx
-            target[at + NVY] = vy
-            power += target[at + NFX] * vx + target[at + NFY] * vy
-    return frame.time_step * power
+            fx, fy = second[at + NFX] - first[at + NFX], second[at + NFY] - first[at + NFY]
+            power += fx * (first[at + NVX] + third[at + NVX]) + fy * (first[at + NVY] + third[at + NVY])
+    return 0.5 * frame.time_step * power
