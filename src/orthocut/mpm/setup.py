@@ -8,7 +8,7 @@ import numpy as np
 
 from orthocut.kernels.mpm import interface as pairs
 from orthocut.kernels.mpm import layout, step
-from orthocut.kernels.mpm.frame import Frame, Solid, Wedge
+from orthocut.kernels.mpm.frame import Frame, Solid, Usavg, Wedge
 from orthocut.mpm.laws import cohesion_of, hardening_of
 from orthocut.mpm.state import State
 from orthocut.params.mpm import MpmCutting
@@ -99,6 +99,7 @@ def build(case: MpmCutting) -> State:
             case.cut_speed,
             case.numerics.ramp_fraction * case.duration,
             case.numerics.ramp_feedback,
+            case.numerics.contact == "cells",
         ),
         frame=Frame(
             origin_x=-beside * cell,
@@ -116,4 +117,5 @@ def build(case: MpmCutting) -> State:
             dashpot_shear=math.sqrt(solid.density * solid.modulus_shear) * cell,
             last_whole_column=beside + whole // 2 if whole else -1,
         ),
+        usavg=Usavg(case.numerics.flip, case.numerics.position_order) if case.numerics.scheme == "usavg" else None,
     )
