@@ -10,6 +10,9 @@ import math
 
 import numpy as np
 
+from orthocut.kernels.laws.cohesive import Cubic
+from orthocut.kernels.laws.failure import Area
+from orthocut.kernels.laws.hardening import Linear
 from orthocut.kernels.mpm import interface as pairs
 from orthocut.kernels.mpm import layout, points, step
 from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Wedge
@@ -17,9 +20,9 @@ from orthocut.mpm.setup import fill_blocks
 from orthocut.mpm.solver import Solver
 from orthocut.mpm.state import State
 
-PLASTIC = Solid(980e6, 376e6, 25e6, 0.0, 1000.0)
+PLASTIC = Solid(980e6, 376e6, 1000.0, Linear(25e6, 0.0))
 """Material of Nairn (2015) without hardening."""
-ELASTIC = PLASTIC._replace(stress_yield=1e15)
+ELASTIC = PLASTIC._replace(hardening=Linear(1e15, 0.0))
 """The same without yielding."""
 SPEED = math.sqrt((PLASTIC.modulus_bulk + 4 * PLASTIC.modulus_shear / 3) / PLASTIC.density)
 """Speed of pressure waves [m/s]."""
@@ -27,7 +30,7 @@ YOUNG_PLANE = 4 * 376e6 * (3 * 980e6 + 376e6) / (3 * 980e6 + 4 * 376e6)
 """Plane-strain modulus E' [Pa]."""
 FAR = 1e3
 TOOL_AT_REST = Wedge(0.0, 0.0, 0.0, 0.0, 1e-300, 0.0)
-NO_COHESION = Cohesion(0.0, 1.0)
+NO_COHESION = Cohesion(Cubic(1.0, 0.0), Area())
 
 
 def rectangle(left: float, right: float, low: float, high: float, cell: float) -> np.ndarray:

@@ -150,6 +150,7 @@ VARIABLES: dict[str, Variable] = {
     "force_cutting_mean": Variable("F_c", "N/m", "mean cutting force", *_N_MM),
     "force_thrust_mean": Variable("F_t", "N/m", "mean thrust force", *_N_MM),
     "force_rubbing_mean": Variable("F_n^b", "N/m", "mean rubbing force", *_N_MM),
+    "force_rubbing_error": Variable(r"\Delta F_n^b", "N/m", "standard error of the mean rubbing force", *_N_MM),
     "force_cutting_error": Variable(r"\Delta F_c", "N/m", "standard error of the mean cutting force", *_N_MM),
     "force_thrust_error": Variable(r"\Delta F_t", "N/m", "standard error of the mean thrust force", *_N_MM),
     "force_cutting_peak": Variable(r"F_{c,max}", "N/m", "peak cutting force", *_N_MM),

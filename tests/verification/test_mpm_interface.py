@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from bodies import YOUNG_PLANE, Bodies, rectangle
 
+from orthocut.kernels.laws.cohesive import Cubic
+from orthocut.kernels.laws.failure import Area
 from orthocut.kernels.mpm import interface, layout, step
 from orthocut.kernels.mpm.frame import Cohesion
 
@@ -32,7 +34,7 @@ def test_blocks_that_are_torn_apart_pay_the_toughness_for_the_area(angle, suppor
         weight_chip=1e5,
         weight_base=1e5,
         pairs_at=(np.arange(2 * width) + 0.5) * CELL / 2,
-        cohesion=Cohesion(40e6, critical),
+        cohesion=Cohesion(Cubic(critical, 40e6), Area()),
     )
     speed = 0.5 * 1.3 * critical / (steps * blocks.state.frame.time_step)
     along, across = speed * math.sin(math.radians(angle)), speed * math.cos(math.radians(angle))
@@ -79,7 +81,7 @@ def beam(request):
         weight_chip=weight,
         weight_base=weight,
         pairs_at=(np.arange(2 * round(start / cell)) + 0.5) * cell / 2,
-        cohesion=Cohesion(STRONG, 16 * TOUGH / (9 * STRONG)),
+        cohesion=Cohesion(Cubic(16 * TOUGH / (9 * STRONG), STRONG), Area()),
     )
 
     def away(sign):

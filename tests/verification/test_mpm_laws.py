@@ -37,7 +37,7 @@ def test_energy_balances(values):
     run = cut(**values)
     assert abs(float(run["energy_closure"])) < 0.01
     assert (float(run["energy_plastic"][-1]) > 0.0) == (values["hardening"] != "none")
-    assert float(run["force_cutting_mean"]) > load("mpm").interface.toughness
+    assert float(run["work_tool"][-1]) > float(run["energy_cohesive"][-1]) > 0.0
 
 
 def test_ludwik_with_exponent_one_is_linear_hardening(default):
@@ -51,7 +51,7 @@ def test_voce_that_hardly_hardens_is_perfectly_plastic():
     voce = cut(hardening="voce", stress_saturation="25.001 MPa", strain_saturation=0.001)
     plain = cut(modulus_tangent="0 MPa")
     for name in ("force_cutting_mean", "force_thrust_mean", "crack_gap_mean"):
-        assert float(voce[name]) == pytest.approx(float(plain[name]), rel=0.02)
+        assert float(voce[name]) == pytest.approx(float(plain[name]), rel=0.05)
 
 
 def test_force_by_criterion(default):

@@ -189,7 +189,7 @@ def _check(solver: Solver, record: dict[str, float], case: MpmCutting) -> None:
     if not all(math.isfinite(value) for value in record.values()):
         raise Diverged(f"energies are no longer finite {when}; {finer}")
     if solver.sunken:
-        raise Diverged(f"the chip sinks into the base {when}: where the interface has failed, nothing keeps them apart")
+        raise Diverged(f"the chip sinks into the base {when}; try more numerics.points_per_depth")
     if solver.escaped:
         raise Diverged(f"a point crosses the {solver.escaped} edge of the grid {when}; try a smaller travel_ratio")
     lost = record["energy_residual"] / record["work_tool"] if record["tool_travel"] > case.cut_depth else 0.0
@@ -219,6 +219,7 @@ def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray], st
         "force_thrust_mean": thrust.value,
         "force_thrust_error": thrust.error,
         "force_rubbing_mean": rubbing.value,
+        "force_rubbing_error": rubbing.error,
         "window_start": arrays["tool_travel"][window][0] if window.any() else math.nan,
         "crack_gap_mean": gap.value,
         "touching": float(gap.value < reach) if math.isfinite(gap.value) else math.nan,

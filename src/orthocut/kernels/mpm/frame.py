@@ -79,7 +79,7 @@ class Wedge(NamedTuple):
     """Duration of the ramp [s]."""
     feedback: float
     """Gain of the feedback damping in the ramp [1/m^2]."""
-    by_cells: bool
+    by_cells: bool = False
     """Whether contact is found with particles of the tool on the grid, see `contact_cells`, or by exact geometry."""
 
 

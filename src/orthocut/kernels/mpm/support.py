@@ -39,8 +39,8 @@ def lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row):
     Parameters
     ----------
     grid : float array
-        Nodes of the body, marks zero. Firm nodes receive forces, and masses (some less than zero) in their marks [kg/m];
-        loose nodes are marked and keep their own force.
+        Nodes of the body, marks zero. Firm nodes receive forces, and masses in their marks, of which some are less than
+        zero [kg/m]; loose nodes are marked and keep their own force.
     extent : int array, shape (4,)
         First and last column, first and last row of the nodes in use.
     loose : int array, shape (n_nodes,)
