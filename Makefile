@@ -15,7 +15,7 @@ SHELL := bash
 PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
 	/^Installing collected/ {print "  unpacking"; fflush()} /^ *(ERROR|error)/ {print; fflush()}'
 
-.PHONY: help figures import publish dry-run report test lint format config clean benchmark benchmark-workflow
+.PHONY: help figures figures-paper publish-paper import publish dry-run report test lint format config clean benchmark benchmark-workflow
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
@@ -55,6 +55,16 @@ publish: figures ## copy some pictures and all tables of the study to results/pu
 	@mkdir -p results/published/animations && cp results/animations/*.gif results/published/animations
 	@rm -rf results/published/store
 	@$(BIN)/orthocut store export results/published/store --study $(STUDY)
+
+figures-paper: $(STAMP) ## draw the figures of Nairn (2015) anew from their published datasets, in seconds
+	@$(BIN)/orthocut redraw results/published/nairn2015 --output results/figures-paper
+
+publish-paper: ## run the study of Nairn (2015) and copy its datasets, figures, tables and results
+	@$(MAKE) figures STUDY=nairn2015
+	@rm -rf results/published/nairn2015 && mkdir -p results/published/nairn2015
+	@for path in results/datasets/nairn2015_*.nc results/figures/nairn2015_*.png results/tables/nairn2015_*; do \
+		name=$${path##*/nairn2015_}; cp $$path results/published/nairn2015/$$name; done
+	@cp results/tables/run_times.csv results/published/nairn2015
 
 report: figures ## one HTML page with all figures and tables: results/report.html
 	@$(BIN)/snakemake report --cores $(CORES) --config study=$(STUDY)

@@ -299,6 +299,13 @@ def test_redraw_draws_collected_datasets(tmp_path):
     assert (tmp_path / "new" / "nairn2015_fig08.png").stat().st_size > 10_000
 
 
+def test_redraw_takes_the_first_word_from_the_folder(tmp_path):
+    folder = tmp_path / "nairn2015"
+    folder.mkdir()
+    write(collect([mpm_run(0)], "nairn2015_fig08", ()), folder / "fig08.nc")
+    assert call("redraw", folder, "--output", tmp_path).stdout.split() == [str(tmp_path / "fig08.png")]
+
+
 def test_redraw_says_what_it_looks_for(tmp_path):
     result = call("redraw", tmp_path, "--output", tmp_path / "new")
     assert result.exit_code == 2
