@@ -8,7 +8,7 @@ import numpy as np
 
 from orthocut.kernels.mpm import interface as pairs
 from orthocut.kernels.mpm import layout, step
-from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Wedge
+from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Usavg, Wedge
 from orthocut.mpm.state import State
 from orthocut.params.mpm import MpmCutting
 
@@ -95,6 +95,7 @@ def build(case: MpmCutting) -> State:
             case.cut_speed,
             case.numerics.ramp_fraction * case.duration,
             case.numerics.ramp_feedback,
+            case.numerics.contact == "cells",
         ),
         frame=Frame(
             origin_x=-beside * cell,
@@ -109,4 +110,5 @@ def build(case: MpmCutting) -> State:
             time_step=case.time_step,
             affine=case.numerics.affine,
         ),
+        usavg=Usavg(case.numerics.flip, case.numerics.position_order) if case.numerics.scheme == "usavg" else None,
     )

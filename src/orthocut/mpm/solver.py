@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from orthocut.kernels.mpm import interface, layout, points, step, support
+from orthocut.kernels.mpm import interface, layout, points, step, support, usavg
 from orthocut.kernels.mpm.frame import Workspace
 from orthocut.mpm.state import State
 
@@ -34,18 +34,22 @@ class Solver:
         self.state = state
         nodes = state.frame.count_x * state.frame.count_y
         lanes = state.points.size // layout.POINT_FIELDS
-        self._grids = _aligned_zeros(2, 2, nodes * layout.NODE)
+        self._grids = _aligned_zeros(2, 3 if state.usavg else 2, nodes * layout.NODE)
         self._extents = np.tile(np.array([0, -1, 0, -1]), (2, 2, 1))
         self._space = Workspace(
             lanes=_aligned_zeros(layout.WORK),
             near=np.zeros((2, lanes), dtype=np.int64),
-            marked=np.zeros(nodes, dtype=np.int64),
+            marked=np.zeros((2, nodes), dtype=np.int64),
             listed=np.zeros(nodes, dtype=np.int64),
+            tool_nodes=np.zeros(nodes, dtype=np.int64),
+            tool_sums=np.zeros((nodes, 3)),
+            body_sums=np.zeros((nodes, 2)),
             closing=np.zeros(nodes, dtype=np.int64),
             closing_normal=np.zeros((nodes, 2)),
             closing_slot=np.full(nodes, -1, dtype=np.int64),
             loose=np.zeros((2, nodes), dtype=np.int64),
             loose_weights=np.zeros((2, nodes, support.DIRECTIONS)),
+            moves=_aligned_zeros(2 * lanes),
         )
         self._current = 0
         self._mass = float(state.field(layout.MASS).sum())
@@ -65,6 +69,24 @@ class Solver:
     def advance(self, steps: int) -> None:
         """Advance by a number of steps."""
         state = self.state
+        if state.usavg:
+            usavg.run_steps_usavg(
+                steps,
+                state.points,
+                state.blocks,
+                self._grids,
+                self._extents,
+                state.interface,
+                state.totals,
+                state.usavg,
+                state.solid,
+                state.cohesion,
+                state.wedge,
+                state.frame,
+                self._space,
+                self._mass,
+            )
+            return
         self._current = step.run_steps(
             steps,
             state.points,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from orthocut.kernels.mpm import layout
-from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Wedge
+from orthocut.kernels.mpm.frame import Cohesion, Frame, Solid, Usavg, Wedge
 
 
 @dataclass
@@ -26,6 +26,8 @@ class State:
         Impulses and energies since the start, time and tool, see `orthocut.kernels.mpm.step`.
     solid, cohesion, wedge, frame
         Material, cohesive law, tool, grid.
+    usavg : Usavg, optional
+        Choices of the loop of `orthocut.kernels.mpm.usavg`, if the run uses it.
     """
 
     points: np.ndarray
@@ -36,6 +38,7 @@ class State:
     cohesion: Cohesion
     wedge: Wedge
     frame: Frame
+    usavg: Usavg | None = None
 
     def field(self, index: int) -> np.ndarray:
         """One field of all points that have mass, shape (n_points,); a copy."""

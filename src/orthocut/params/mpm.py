@@ -36,10 +36,34 @@ class MpmNumerics(Block):
     """Share of the velocity gradient that points hand on to the next grid; 0 is PIC, 1 keeps linear velocity fields."""
     support: Annotated[float, Number(0.0, 0.25)] = 0.1
     """Share of the mass of a full cell below which a node follows nodes that have more; 0 for none, as in the paper."""
+    scheme: Literal["consistent", "usavg"] = "consistent"
+    """Loop of a step: one velocity extrapolation (consistent), or that of the paper's program (usavg)."""
+    flip: Annotated[float, Number(0.0, 1.0)] = 0.0
+    """Share of a point's own velocity that usavg keeps beside that of the grid: 0 is PIC, 1 is FLIP."""
+    position_order: Annotated[int, Number(0, 2, integer=True)] = 2
+    """Order of the update of positions of usavg: 0 for Nairn (2015), eq (9), 1 or 2 for eq (10)."""
+    contact: Literal["exact", "cells"] = "exact"
+    """How contact with the tool is found: by exact geometry, or by the paper's rule of 0.8 cells (cells)."""
     ramp_fraction: Annotated[float, Number(0.01, 0.9)] = 0.3
     """Fraction of the duration in which the tool speeds up linearly, with feedback damping."""
     ramp_feedback: Annotated[float, Quantity("m^-2", "0 mm^-2", "1000 mm^-2", "mm^-2")] = 10e6
     """Gain of the feedback damping on the kinetic energy of the grid during the ramp."""
+
+    @model_validator(mode="after")
+    def _used(self) -> MpmNumerics:
+        if self.scheme == "usavg":
+            for name in ("affine", "support"):
+                if getattr(self, name):
+                    raise fault(f"{name} = {getattr(self, name):g} is of no use with scheme = usavg (allowed: 0)")
+            return self
+        for name in ("flip", "position_order"):
+            default = type(self).model_fields[name].default
+            if getattr(self, name) != default:
+                raise fault(
+                    f"{name} = {getattr(self, name):g} is of no use with scheme = {self.scheme} "
+                    f"(allowed: {default:g}, or scheme = usavg)"
+                )
+        return self
 
 
 class MpmCutting(Block):

@@ -41,6 +41,14 @@ def face_of(body, wedge):
 
 
 @part
+def normal_of(body, wedge):
+    """Unit normal of contact of a body, from material into tool."""
+    if body == BASE:
+        return 0.0, 1.0
+    return math.cos(wedge.rake_angle), -math.sin(wedge.rake_angle)
+
+
+@part
 def list_near_points(near, points, blocks, body, wedge, tip, reach):
     """List the points of a body that are within reach of their face of the tool.
 
@@ -161,10 +169,7 @@ def push_with_tool(grid, marked, marked_count, body, wedge, speed, frame):
         Work of the tool that did not reach the nodes: in impacts and in friction [J/m]. Impulses act at the mean
         velocity of the step, as all forces do.
     """
-    if body == BASE:
-        nx, ny = 0.0, 1.0
-    else:
-        nx, ny = math.cos(wedge.rake_angle), -math.sin(wedge.rake_angle)
+    nx, ny = normal_of(body, wedge)
     friction = wedge.friction
     impulse_x = impulse_y = lost_impact = lost_friction = 0.0
     for k in range(marked_count):

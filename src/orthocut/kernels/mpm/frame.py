@@ -71,6 +71,17 @@ class Wedge(NamedTuple):
     """Duration of the ramp [s]."""
     feedback: float
     """Gain of the feedback damping in the ramp [1/m^2]."""
+    by_cells: bool = False
+    """Whether contact is found with particles of the tool on the grid, see `contact_cells`, or by exact geometry."""
+
+
+class Usavg(NamedTuple):
+    """Choices of the loop that updates stresses twice a step, see `usavg`."""
+
+    flip: float
+    """Share of a point's own velocity that is kept beside that of the nodes: 0 (PIC) to 1 (FLIP)."""
+    position_order: int
+    """Order of the update of positions: 0, 1 or 2."""
 
 
 class Workspace(NamedTuple):
@@ -81,9 +92,15 @@ class Workspace(NamedTuple):
     near: np.ndarray
     """Points near the tool, block * LANES + lane, shape (2, n_lanes)."""
     marked: np.ndarray
-    """Offsets of the nodes that touch the tool, shape (n_nodes,)."""
+    """Offsets of the nodes of each body that touch the tool, shape (2, n_nodes)."""
     listed: np.ndarray
     """1 for the nodes that are already listed, shape (n_nodes,); 0 everywhere outside of the search."""
+    tool_nodes: np.ndarray
+    """Nodes that particles of the tool reach, shape (n_nodes,)."""
+    tool_sums: np.ndarray
+    """Volume of the tool at each node, and its moments, shape (n_nodes, 3); 0 everywhere outside of the search."""
+    body_sums: np.ndarray
+    """Mass of a body at each node, and its moment, shape (n_nodes, 2); 0 everywhere outside of the search."""
     closing: np.ndarray
     """Offsets of the nodes around closed pairs of the interface, shape (n_nodes,)."""
     closing_normal: np.ndarray
@@ -94,3 +111,5 @@ class Workspace(NamedTuple):
     """Nodes of each body that follow the firm ones beside them, shape (2, n_nodes)."""
     loose_weights: np.ndarray
     """Weights of the lines of firm nodes that they follow, shape (2, n_nodes, 8)."""
+    moves: np.ndarray
+    """Displacements of all points in the step of `usavg`, two rows of lanes a block."""

@@ -23,7 +23,9 @@ CORNER = 25  # index of the lower left of the 3 x 3 nodes
 DXX, DXY, DYX, DYY = 26, 27, 28, 29  # velocity gradient times cell size [m/s]
 TXX, TYY, TXY = 30, 31, 32  # Kirchhoff stress times initial volume over cell size [N/m]
 RX, RY = 33, 34  # place relative to the nearest node, in cells
-WORK = 35 * LANES
+HX, HY = 35, 36  # velocity of the nodes before the forces, at the point [m/s]
+UX, UY = 37, 38  # velocity before the step [m/s], then displacement in the step [m]
+WORK = 39 * LANES
 
 # quantities of a node
 NM = 0  # mass [kg/m]

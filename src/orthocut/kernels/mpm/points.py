@@ -76,15 +76,13 @@ def weigh_lanes(work, frame):
 
 
 @part
-def update_lanes(work, solid, frame, time_step):
-    """Move each lane and update deformation, state and Kirchhoff stress (times initial volume over cell size)."""
+def deform_lanes(work, solid, frame, time_step):
+    """Update deformation, state and Kirchhoff stress (times initial volume over cell size) of each lane."""
     modulus_bulk, modulus_shear = solid.modulus_bulk, solid.modulus_shear
     stress_yield, modulus_plastic = solid.stress_yield, solid.modulus_plastic
     rate = time_step * frame.inv_cell
     volume_of_mass = frame.inv_cell / solid.density
     for lane in range(LANES):
-        work[X * LANES + lane] += time_step * work[VX * LANES + lane]
-        work[Y * LANES + lane] += time_step * work[VY * LANES + lane]
         dxx = 1.0 + rate * work[DXX * LANES + lane]
         dxy = rate * work[DXY * LANES + lane]
         dyx = rate * work[DYX * LANES + lane]
@@ -121,6 +119,15 @@ def update_lanes(work, solid, frame, time_step):
         work[TXX * LANES + lane] = volume * (sxx + pressure)
         work[TYY * LANES + lane] = volume * (syy + pressure)
         work[TXY * LANES + lane] = volume * sxy
+
+
+@part
+def set_extent(extent, low_x, high_x, low_y, high_y, frame):
+    """Set the first and last column, first and last row of the nodes that points between these bounds reach."""
+    extent[0] = int(nearest_node((low_x - frame.origin_x) * frame.inv_cell, frame.count_x)) - 1
+    extent[1] = int(nearest_node((high_x - frame.origin_x) * frame.inv_cell, frame.count_x)) + 1
+    extent[2] = int(nearest_node((low_y - frame.origin_y) * frame.inv_cell, frame.count_y)) - 1
+    extent[3] = int(nearest_node((high_y - frame.origin_y) * frame.inv_cell, frame.count_y)) + 1
 
 
 @part
@@ -163,7 +170,10 @@ def advance_points(points, blocks, grid, grid_next, work, extent, solid, frame, 
         weigh_lanes(work, frame)
         for lane in range(LANES):
             gather_point(grid, int(work[CORNER * LANES + lane]), frame.count_x, work, lane)
-        update_lanes(work, solid, frame, time_step)
+        for lane in range(LANES):
+            work[X * LANES + lane] += time_step * work[VX * LANES + lane]
+            work[Y * LANES + lane] += time_step * work[VY * LANES + lane]
+        deform_lanes(work, solid, frame, time_step)
         weigh_lanes(work, frame)
         for lane in range(LANES):
             scatter_point(grid_next, int(work[CORNER * LANES + lane]), frame.count_x, work, lane, frame.affine)
@@ -176,10 +186,7 @@ def advance_points(points, blocks, grid, grid_next, work, extent, solid, frame, 
             high_x = max(high_x, work[X * LANES + lane])
             low_y = min(low_y, work[Y * LANES + lane])
             high_y = max(high_y, work[Y * LANES + lane])
-    extent[0] = int(nearest_node((low_x - frame.origin_x) * frame.inv_cell, frame.count_x)) - 1
-    extent[1] = int(nearest_node((high_x - frame.origin_x) * frame.inv_cell, frame.count_x)) + 1
-    extent[2] = int(nearest_node((low_y - frame.origin_y) * frame.inv_cell, frame.count_y)) - 1
-    extent[3] = int(nearest_node((high_y - frame.origin_y) * frame.inv_cell, frame.count_y)) + 1
+    set_extent(extent, low_x, high_x, low_y, high_y, frame)
     return kinetic
 
 

@@ -7,7 +7,9 @@ these; points, deformations, interface and tool all move with them.
 import math
 
 from orthocut.kernels.jit import jit
-from orthocut.kernels.mpm.contact import list_near_points, mark_contact_nodes, push_with_tool
+from orthocut.kernels.mpm.contact import push_with_tool
+from orthocut.kernels.mpm.contact_cells import remove_tool
+from orthocut.kernels.mpm.contact_search import RELIST, list_near, mark_touching, place_tool
 from orthocut.kernels.mpm.grid import clear_grid, update_grid, work_of_forces
 from orthocut.kernels.mpm.interface import move_pairs, pull_together, push_apart, set_normals
 from orthocut.kernels.mpm.layout import BASE, CHIP
@@ -24,9 +26,6 @@ TIME = 13  # [s]
 DAMPING = 14  # rate of the feedback damping [1/s]
 TIP = 15  # place of the tool tip along the cut [m]
 TOTALS = 16
-
-_REACH = 2.0  # points so near the tool, in cells, are looked at
-_RELIST = 0.25  # travel of the tool, in cells, after which they are listed anew
 
 
 @jit
@@ -71,11 +70,9 @@ def run_steps(
         ramping = totals[TIME] < wedge.ramp_time
         speed = wedge.speed * min(totals[TIME] / wedge.ramp_time, 1.0)
         chip, base = grids[CHIP, current], grids[BASE, current]
-        if listed_at - totals[TIP] > _RELIST * frame.cell:
+        if listed_at - totals[TIP] > RELIST * frame.cell:
             listed_at = totals[TIP]
-            reach = _REACH * frame.cell
-            near_chip = list_near_points(space.near[CHIP], points, blocks[CHIP], CHIP, wedge, listed_at, reach)
-            near_base = list_near_points(space.near[BASE], points, blocks[BASE], BASE, wedge, listed_at, reach)
+            near_chip, near_base = list_near(points, blocks, wedge, listed_at, frame, space)
 
         set_normals(interface)
         closed = pull_together(
@@ -118,13 +115,12 @@ def run_steps(
         lost = push_apart(chip, base, space.closing, space.closing_normal, closed, frame)
         work -= lost
         totals[IMPACT] += lost
+        seen = place_tool(extents[CHIP, current], extents[BASE, current], wedge, totals[TIP], frame, space)
         for body in (CHIP, BASE):
             near = near_chip if body == CHIP else near_base
-            count = mark_contact_nodes(
-                space.marked, space.listed, points, space.near[body], near, body, wedge, totals[TIP], frame
-            )
+            count = mark_touching(points, near, seen, body, wedge, totals[TIP], frame, space)
             impulse_x, impulse_y, impact, friction = push_with_tool(
-                grids[body, current], space.marked, count, body, wedge, speed, frame
+                grids[body, current], space.marked[body], count, body, wedge, speed, frame
             )
             work -= impulse_x * speed + impact + friction
             totals[CHIP_X + 2 * body] += impulse_x
@@ -132,6 +128,7 @@ def run_steps(
             totals[WORK] -= impulse_x * speed
             totals[IMPACT] += impact
             totals[FRICTION] += friction
+        remove_tool(space.tool_sums, space.tool_nodes, seen)
         for body in (CHIP, BASE):
             grid, grid_before = grids[body, current], grids[body, 1 - current]
             loose, weights = space.loose[body], space.loose_weights[body]

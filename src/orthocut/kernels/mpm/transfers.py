@@ -196,3 +196,45 @@ def scatter_point(typing_context, grid, corner, count_x, work, lane, affine):
         return context.get_dummy_value()
 
     return types.void(grid, types.int64, types.int64, work, types.int64, types.float64), generate
+
+
+@intrinsic
+def scatter_momentum_point(typing_context, grid, corner, count_x, work, lane):
+    """Add mass and momentum of a point to its nodes; parameters as of `gather_point`."""
+
+    def generate(context, builder, signature, values):
+        w = _Writer(context, builder, signature, values)
+        mass = w.field(MASS)
+        inertia = w.pack(mass, builder.fmul(mass, w.field(VX)), builder.fmul(mass, w.field(VY)), None)
+        columns = [w.splat(w.field(WX + c), 4) for c in range(3)]
+        for k in range(3):
+            row = w.times(inertia, w.splat(w.field(WY + k), 4))
+            for c in range(3):
+                pointer = w.node_pointer(k, c, NM, 4)
+                node = builder.load(pointer, align=8)
+                builder.store(w.plus_times(node, row, columns[c]), pointer, align=8)
+        return context.get_dummy_value()
+
+    return types.void(grid, types.int64, types.int64, work, types.int64), generate
+
+
+@intrinsic
+def scatter_force_point(typing_context, grid, corner, count_x, work, lane):
+    """Add the internal force of a point to its nodes; parameters as of `gather_point`."""
+
+    def generate(context, builder, signature, values):
+        w = _Writer(context, builder, signature, values)
+        txx, txy, tyy = (builder.fneg(w.field(row)) for row in (TXX, TXY, TYY))
+        force_x, force_y = w.pack(txx, txy), w.pack(txy, tyy)
+        slopes = [w.splat(w.field(GX + c), 2) for c in range(3)]
+        weights = [w.splat(w.field(WX + c), 2) for c in range(3)]
+        for k in range(3):
+            row_x = w.times(force_x, w.splat(w.field(WY + k), 2))
+            row_y = w.times(force_y, w.splat(w.field(GY + k), 2))
+            for c in range(3):
+                pointer = w.node_pointer(k, c, NFX, 2)
+                node = w.plus_times(builder.load(pointer, align=8), row_x, slopes[c])
+                builder.store(w.plus_times(node, row_y, weights[c]), pointer, align=8)
+        return context.get_dummy_value()
+
+    return types.void(grid, types.int64, types.int64, work, types.int64), generate
