@@ -10,7 +10,7 @@ from orthocut.params.size import particles, steps
 if TYPE_CHECKING:
     from orthocut.params.case import Case
 
-_SECONDS_PER_POINT_STEP = 32e-9
+_SECONDS_PER_POINT_STEP = {"consistent": 32e-9, "usavg": 67e-9}
 _SECONDS_PER_DISC_STEP = {"dem_tension": 20e-9, "dem_compression": 26e-9, "dem_cutting": 30e-9}
 _STRAIN_AT_END = {"dem_tension": 1.2e-3, "dem_compression": 4.5e-3}
 _SECONDS_START = 0.3
@@ -19,7 +19,8 @@ _MB_PROCESS, _BYTES_PER_PARTICLE = 500, 8000
 
 def estimate_seconds(case: Case) -> float:
     """Run time on one core of the machine that the costs of a step were measured on [s]."""
-    each = _SECONDS_PER_POINT_STEP if case.kind == "mpm_cutting" else _SECONDS_PER_DISC_STEP[case.kind]
+    cut = case.kind == "mpm_cutting"
+    each = _SECONDS_PER_POINT_STEP[case.numerics.scheme] if cut else _SECONDS_PER_DISC_STEP[case.kind]
     return _SECONDS_START + particles(case) * steps(case, _STRAIN_AT_END.get(case.kind, math.inf)) * each
 
 

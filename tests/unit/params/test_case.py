@@ -28,12 +28,15 @@ def test_identity_does_not_depend_on_units_or_order():
     assert case_id(one) == case_id(two)
 
 
+PAPER = {"affine": 0.0, "support": 0.0}
 CHOICES = {
     "hardening": "voce",
     "law": "triangular",
     "failure_criterion": "coupled",
     "window": "fixed",
     "bottom": "silent",
+    "contact": "cells",
+    "scheme": "usavg",
 }
 NEEDS = {
     "hardening_modulus": {"hardening": "ludwik"},
@@ -41,6 +44,9 @@ NEEDS = {
     "stress_saturation": {"hardening": "voce"},
     "strain_saturation": {"hardening": "voce"},
     "peak_ratio": {"law": "triangular"},
+    "scheme": PAPER,
+    "flip": {"scheme": "usavg", **PAPER},
+    "position_order": {"scheme": "usavg", **PAPER},
 }
 """Fields that only some choices use."""
 
@@ -56,7 +62,7 @@ def different(kind, name):
     if name.startswith("grooves"):
         return {"grooves": {}, "grooves.width": "0.05 mm", "grooves.distance": "0.1 mm"}[name]
     if isinstance(value, int):
-        return value + 1
+        return value + 1 if name != "numerics.position_order" else 1
     text = case.model_dump(mode="json")
     for part in name.split("."):
         text = text[part]
@@ -168,6 +174,12 @@ def test_numbers_in_files_may_be_written_with_exponents(tmp_path):
     [
         ("mpm", {"travel_ratio": 15.0}, "travel_ratio = 15 ends less than 3 depths"),
         ("mpm", {"window_ratio": 11.0}, "window_ratio = 11 leaves no travel"),
+        ("mpm", {"flip": 0.5}, r"flip = 0.5 is of no use with scheme = consistent \(allowed: 0, or scheme = usavg\)"),
+        ("mpm", {"position_order": 1}, r"position_order = 1 is of no use.*allowed: 2, or scheme = usavg"),
+        ("mpm", {"scheme": "usavg"}, r"affine = 0.9 is of no use with scheme = usavg \(allowed: 0\)"),
+        ("mpm", {"scheme": "usavg", "affine": 0.0}, r"support = 0.1 is of no use with scheme = usavg"),
+        ("mpm", {"scheme": "usavg", "position_order": 3}, "position_order"),
+        ("mpm", {"contact": "near"}, "contact"),
         ("mpm", {"rake_angle": "70 deg", "clearance_angle": "20 deg"}, "leave a wedge of"),
         ("mpm", {"modulus_tangent": "950 MPa"}, "modulus_tangent = 950 MPa is too large"),
         (
