@@ -88,8 +88,9 @@ format: $(STAMP) ## format Python and Snakemake files
 config: $(STAMP) ## write the default values and the schema of studies from the models
 	@$(BIN)/python -m orthocut.params.schema workflow/config
 
-benchmark: $(STAMP) ## measure the cost of a step of each method for several sizes
+benchmark: $(STAMP) ## measure the cost of a step of each method for several sizes, and of each feature
 	@$(BIN)/python benchmarks/step_cost.py
+	@$(BIN)/python benchmarks/mpm_features.py
 
 benchmark-workflow: $(STAMP) ## measure what the workflow costs beside the simulations, and run the fault matrix
 	@$(BIN)/python benchmarks/workflow.py

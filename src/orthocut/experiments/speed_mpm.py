@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import statistics
 import time
+from collections.abc import Mapping
+from typing import Any
 
 from orthocut.mpm import setup
 from orthocut.mpm.solver import Solver
@@ -13,7 +15,9 @@ _PAPER = {"points_per_depth": 15, "length_ratio": 30.0, "travel_ratio": 15.0, "r
 """The paper's 15 points through the chip and length of 30 depths of cut; the tool at full speed at once."""
 
 
-def bench_mpm(points_per_depth: int = 15, steps: int = 200, repeats: int = 7) -> dict[str, float | int | str]:
+def bench_mpm(
+    points_per_depth: int = 15, steps: int = 200, repeats: int = 7, values: Mapping[str, Any] | None = None
+) -> dict[str, float | int | str]:
     """Measure the whole step of a cut, one thread, compilation excluded [CPU ns].
 
     Parameters
@@ -24,6 +28,8 @@ def bench_mpm(points_per_depth: int = 15, steps: int = 200, repeats: int = 7) ->
         Steps of a repeat.
     repeats : int
         The result is the median of so many repeats.
+    values : mapping, optional
+        Further fields of the case.
 
     Returns
     -------
@@ -31,7 +37,7 @@ def bench_mpm(points_per_depth: int = 15, steps: int = 200, repeats: int = 7) ->
         ``ns_per_point_step``: transfers, material, interface, contact, grid, energy book-keeping. And what was
         measured: scene, points, pairs of the interface, nodes of the grid, steps, repeats, threads.
     """
-    case = load("mpm", {**_PAPER, "points_per_depth": points_per_depth})
+    case = load("mpm", {**_PAPER, "points_per_depth": points_per_depth, **(values or {})})
     state = setup.build(case)
     solver = Solver(state)
     solver.advance(10 * steps)

@@ -16,8 +16,7 @@ CAPTION = (
     "Material points of a chip, drawn as the parallelograms into which their deformation gradients turn them, after "
     "Nairn (2015), Fig. 2: with PIC transfers, and position updates of zeroth, first and second order, eqs (9), (10). "
     "Points that move with the velocities which deform them fill the chip without gaps and overlaps; in the paper, "
-    "those of second order alone do. Updates that the runs do not have are left out; 'default' is the update of this "
-    "program."
+    "those of second order alone do."
 )
 AROUND, BELOW = 2.0, 1.0
 """Least range of the picture around the tool tip, and below the cut, in depths of cut."""
@@ -43,14 +42,14 @@ def draw(dataset: xr.Dataset) -> Figure:
         _panel(ax, run)
         frame(ax, (low[0], high[0]), (low[1], high[1]))
         order = _order(run)
-        ax.set_title("default" if order < 0 else f"order {order}", loc="left")
+        ax.set_title(f"order {order}", loc="left")
         ax.label_outer()
     return figure
 
 
 def _order(run: xr.Dataset) -> int:
-    """Order of the position update; -1 in cases that do not say."""
-    return getattr(case_of(run).numerics, "position_order", -1)
+    """Order of the position update."""
+    return case_of(run).numerics.position_order
 
 
 def _box(run: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:

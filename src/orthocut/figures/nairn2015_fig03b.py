@@ -14,6 +14,7 @@ from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import over_toughness, touches
 from orthocut.figures.symbols import draw_force, draw_limit
+from orthocut.figures.varied import transfers
 from orthocut.io.collect import case_of
 from orthocut.theory import bending, touching
 
@@ -66,7 +67,7 @@ def draw(dataset: xr.Dataset) -> Figure:
         name = f"$h$ = {depth * 1e3:g} mm, $E_T$ = {tangent * 1e-6:g} MPa"
         force.plot([], [], ls="", marker="o", color=colour, label=name)
     for affine in sorted({group[2] for group in groups}):
-        name = f"{affine:g} of the gradient" if affine else "PIC"
+        name = transfers(affine)
         force.plot([], [], ls="", marker="o" if affine else "s", color="0.25", label=name)
     force.set_xlim(left=min(force.get_xlim()[0], 0))
     force.set_ylim(bottom=0)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from orthocut.figures.extrapolation import Fit, extrapolate
 from orthocut.figures.nairn2015_cuts import Cut, along
+from orthocut.figures.varied import transfers
 from orthocut.theory import bending, touching
 
 REPRODUCED, NOT_REPRODUCED, ARTEFACT, NOT_TESTED = "reproduced", "not reproduced", "artefact", "not tested"
@@ -67,7 +68,7 @@ def fits(cuts: Sequence[Cut]) -> list[tuple[list[Cut], Fit]]:
 def scheme_words(group: Sequence[Cut]) -> str:
     """Scheme, depth of cut and tangent modulus of cuts that share them, in words."""
     case = group[0].case
-    scheme = f"{case.numerics.affine:g} of the gradient" if case.numerics.affine else "PIC"
+    scheme = transfers(case.numerics.affine)
     return f"{scheme}, {1e3 * case.cut_depth:g} mm, E_T = {1e-6 * case.material.modulus_tangent:g} MPa"
 
 

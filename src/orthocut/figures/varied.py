@@ -13,11 +13,21 @@ from orthocut.variables import VARIABLES
 Series = list[tuple[str, list[xr.Dataset]]]
 """Name of each series and its runs, in order of the field."""
 
+
+def transfers(affine: float) -> str:
+    """Name of the transfers that hand on a share of the velocity gradient."""
+    return {0.0: "PIC", 1.0: "APIC"}.get(affine, f"{affine:g} of the gradient")
+
+
 SPECIAL = {
-    "affine": lambda value: f"{value:g} of the gradient" if value else "PIC",
+    "affine": lambda value: "" if value == 1.0 else transfers(value),
+    "support": lambda value: "" if value else "loose nodes on their own",
+    "scheme": lambda value: "loop of the paper" if value == "usavg" else "",
+    "contact": lambda value: "contact of the paper" if value == "cells" else "",
+    "failure_criterion": lambda value: "" if value == "area" else value,
     "law": str,
 }
-"""Words for fields whose symbol and value would say little."""
+"""Words for fields whose symbol and value would say little; none for what is usual."""
 
 
 def series_along(dataset: xr.Dataset, field: str, *needed: str, least: int = 2, beside: tuple[str, ...] = ()) -> Series:
@@ -72,4 +82,5 @@ def words(field: str, value: Any) -> str:
 def _names(groups: list[dict[str, Any]]) -> list[str]:
     """What tells each group from the others."""
     varied = [name for name in (groups[0] if groups else {}) if len({group.get(name) for group in groups}) > 1]
-    return [", ".join(words(name, group[name]) for name in varied if name in group) or "runs" for group in groups]
+    said = [[words(name, group[name]) for name in varied if name in group] for group in groups]
+    return [", ".join(filter(None, texts)) or "runs" for texts in said]

@@ -31,9 +31,9 @@ def test_fig02_has_one_panel_an_order(monkeypatch):
     assert len({ax.get_xlim() for ax in figure.axes}) == 1
 
 
-def test_fig02_without_the_field_shows_what_there_is():
+def test_fig02_shows_what_there_is():
     figure = registry.draw("nairn2015_fig02", collect([mpm_run(snapshots=1, **COARSE)]))
-    assert [ax.get_title(loc="left") for ax in figure.axes] == ["default"]
+    assert [ax.get_title(loc="left") for ax in figure.axes] == ["order 2"]
 
 
 def test_fig09_takes_the_pair_on_either_side():

@@ -1,0 +1,62 @@
+"""What each feature of a ductile cut costs: nanoseconds a point and step with it, beside the default case.
+
+Each round measures all variants one after the other, so that they share the machine's mood; the table holds medians of
+the rounds and of the ratios to the default case of the same round.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import statistics
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+
+from orthocut.experiments.speed_mpm import bench_mpm
+
+THEIRS = {"scheme": "usavg", "affine": 0.0, "support": 0.0}
+VARIANTS = {
+    "default": {},
+    "without support of loose nodes": {"support": 0.0},
+    "without yielding": {"hardening": "none"},
+    "with friction": {"tool.friction": 0.3},
+    "Voce's hardening": {"hardening": "voce"},
+    "Ludwik's hardening": {"hardening": "ludwik"},
+    "triangular law": {"interface.law": "triangular"},
+    "contact by cells": {"numerics.contact": "cells"},
+    "loop of the paper's program": THEIRS,
+    "paper mode": {**THEIRS, "numerics.contact": "cells"},
+}
+HEADER = ["variant", "cost of a point and step [ns]", "over the default [-]"]
+
+
+def main() -> None:
+    """Measure and write a table as CSV."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--points", type=int, default=15, help="points through the depth of cut")
+    parser.add_argument("--rounds", type=int, default=5, help="rounds over all variants")
+    parser.add_argument("--output", type=Path, default=Path("results/benchmarks/mpm_features.csv"))
+    options = parser.parse_args()
+
+    costs: dict[str, list[float]] = {name: [] for name in VARIANTS}
+    for _ in track(range(options.rounds), "measuring", console=Console(stderr=True)):
+        for name, values in VARIANTS.items():
+            costs[name].append(bench_mpm(options.points, 100, 3, values)["ns_per_point_step"])
+    table = Table(*HEADER)
+    options.output.parent.mkdir(parents=True, exist_ok=True)
+    with open(options.output, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(HEADER)
+        for name, found in costs.items():
+            ratio = statistics.median(cost / base for cost, base in zip(found, costs["default"], strict=True))
+            row = [name, f"{statistics.median(found):.3g}", f"{ratio:.3f}"]
+            writer.writerow(row)
+            table.add_row(*row)
+    Console().print(table)
+
+
+if __name__ == "__main__":
+    main()
