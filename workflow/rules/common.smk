@@ -37,7 +37,7 @@ if workflow.is_main_process:
 
 onstart:
     try:
-        LOCK = hold(Path(RESULTS, ".lock"))
+        hold(Path(RESULTS, ".lock"))
     except BlockingIOError as error:
         raise WorkflowError(f"{RESULTS}: {error.strerror}: wait until that workflow ends") from None
     for path in Path(RESULTS, "batches").glob("*"):

@@ -50,18 +50,17 @@ def replacing(path: str | Path) -> Iterator[Path]:
         temporary.unlink(missing_ok=True)
 
 
-def hold(path: str | Path) -> IO[str]:
+_held: list[IO[str]] = []
+"""Files that this process has locked: a lock ends when its file is closed."""
+
+
+def hold(path: str | Path) -> None:
     """Lock a file for as long as this process lives, however it ends.
 
     Parameters
     ----------
     path : str or Path
         File that stands for what is locked; it is made, and stays.
-
-    Returns
-    -------
-    file
-        Keep it: the lock ends when it is closed.
 
     Raises
     ------
@@ -81,7 +80,7 @@ def hold(path: str | Path) -> IO[str]:
     file.truncate(0)
     file.write(f"process {os.getpid()} on {os.uname().nodename}\n")
     file.flush()
-    return file
+    _held.append(file)
 
 
 def write_text(text: str, path: str | Path) -> Path:
