@@ -8,8 +8,8 @@ from orthocut.figures.registry import FIGURES
 from orthocut.plan import load_plan
 
 STUDY = Path(__file__).parents[2] / "workflow" / "config" / "nairn2015.yaml"
-MAP = 98
-MAIN = 383
+MAP = 66
+MAIN = 387
 
 
 @pytest.fixture(scope="module")

@@ -24,8 +24,9 @@ CAPTION = (
     "schemes. Open: the tool touches the crack tip. Bars: standard error of the mean; pale bars: half of the drift "
     "over the window to either side. Left: weighted least-squares fits of a limit plus slope times size, dashed, and "
     "times its square, dotted, with the limits (diamonds) and their standard errors; how far both limits lie apart "
-    "says how much the assumed order matters. Crosses on the axis: failed runs. The table lists all fits beside the "
-    "models."
+    "says how much the assumed order matters. No support: nodes of little mass move on their own, as in the paper; "
+    "dissipated, coupled: other criteria of failure than the paper's. Crosses on the axis: failed runs. The table "
+    "lists all fits beside the models."
 )
 DIMS = ()
 PANELS = (
@@ -70,7 +71,7 @@ def draw(dataset: xr.Dataset) -> Figure:
             ax.set_axis_off()
         return figure
     panels[0].set_ylim(bottom=0)
-    figure.legend(handles.values(), handles.keys(), loc="outside upper center", ncols=2)
+    figure.legend(handles.values(), handles.keys(), loc="outside upper center", ncols=2, fontsize="x-small")
     return figure
 
 

@@ -21,9 +21,9 @@ def transfers(affine: float) -> str:
 
 SPECIAL = {
     "affine": lambda value: "" if value == 1.0 else transfers(value),
-    "support": lambda value: "" if value else "loose nodes on their own",
-    "scheme": lambda value: "loop of the paper" if value == "usavg" else "",
-    "contact": lambda value: "contact of the paper" if value == "cells" else "",
+    "support": lambda value: "" if value else "no support",
+    "scheme": lambda value: "paper's loop" if value == "usavg" else "",
+    "contact": lambda value: "0.8-cell contact" if value == "cells" else "",
     "failure_criterion": lambda value: "" if value == "area" else value,
     "law": str,
 }
