@@ -64,6 +64,7 @@ publish-paper: ## run the study of Nairn (2015) and copy its datasets, figures, 
 	@rm -rf results/published/nairn2015 && mkdir -p results/published/nairn2015
 	@for path in results/datasets/nairn2015_*.nc results/figures/nairn2015_*.png results/tables/nairn2015_*; do \
 		name=$${path##*/nairn2015_}; cp $$path results/published/nairn2015/$$name; done
+	@rm -f results/published/nairn2015/animation.*
 	@cp results/tables/run_times.csv results/published/nairn2015
 
 report: figures ## one HTML page with all figures and tables: results/report.html

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from orthocut.measure.steady import block_mean
+from orthocut.measure.steady import Mean, block_mean, is_known, steady_from
 
 
 def test_error_of_the_mean_agrees_with_the_scatter_of_many_signals_with_memory():
@@ -28,3 +28,19 @@ def test_drift_is_the_rise_over_the_window_in_units_of_the_mean():
 
 def test_too_few_samples_have_no_mean():
     assert np.isnan(block_mean(np.ones(5))).all()
+
+
+def test_steady_part_leaves_out_a_start_that_differs():
+    noise = np.random.default_rng(3).normal(size=300)
+    values = 10.0 + 0.1 * noise
+    values[:100] += np.linspace(5.0, 0.0, 100)
+    assert 70 <= steady_from(values) <= 150
+    assert steady_from(10.0 + 0.1 * noise) <= 150
+    assert steady_from(values[:10]) == 0
+
+
+@pytest.mark.parametrize(
+    ("error", "drift", "known"), [(0.05, 0.01, True), (0.15, 0.01, False), (0.05, 0.03, False), (0.05, -0.03, False)]
+)
+def test_mean_is_known_when_error_and_drift_are_small(error, drift, known):
+    assert is_known(Mean(10.0, error, drift), 0.01) is known

@@ -1,0 +1,63 @@
+"""Cuts with options of the workpiece and of their end: paths, bottoms, early ends."""
+
+import numpy as np
+import pytest
+
+from orthocut.experiments.mpm_cutting import LEAST_WINDOW, simulate
+from orthocut.params.block import ConfigError
+from orthocut.params.case import load
+
+COARSE = {"points_per_depth": 5}
+DEPTH = 0.9e-3
+
+
+@pytest.fixture(scope="module")
+def whole():
+    return simulate(load("mpm", COARSE), snapshots=0)
+
+
+@pytest.fixture(scope="module")
+def early():
+    return simulate(load("mpm", {**COARSE, "window_ratio": 4.0, "error_target": 0.02}), snapshots=3)
+
+
+def test_steady_cut_ends_early_with_the_force_of_the_whole_one(whole, early):
+    travel = float(early.tool_travel[-1]) / DEPTH
+    assert 4.0 + LEAST_WINDOW <= travel < 10.9
+    assert float(early.force_cutting_error) <= 0.02 * float(early.force_cutting_mean)
+    assert float(early.force_cutting_mean) == pytest.approx(float(whole.force_cutting_mean), rel=0.05)
+    assert early.attrs["steps"] < whole.attrs["steps"]
+
+
+def test_early_end_changes_no_sample_before_it(whole, early):
+    """The run is the same, it only stops."""
+    count = early.sizes["sample"]
+    np.testing.assert_array_equal(early.force_cutting.values, whole.force_cutting.values[:count])
+
+
+def test_last_snapshot_of_an_early_end_is_taken_there(early):
+    assert float(early.time_snapshot[-1]) == pytest.approx(float(early.time[-1]))
+
+
+def test_path_over_part_of_the_width_cuts_like_the_whole_one(whole):
+    """Chip and base are one beyond its end, which the tool does not come near."""
+    part = simulate(load("mpm", {**COARSE, "path_ratio": 14.0}), snapshots=0)
+    assert float(part.force_cutting_mean) == pytest.approx(float(whole.force_cutting_mean), rel=0.03)
+    assert abs(float(part.energy_closure)) < 5e-3
+
+
+def test_silent_bottom_lets_the_workpiece_go():
+    """Nairn (2015), section 2.2: it does not hold the workpiece. The balance closes; dashpots take energy."""
+    short = {**COARSE, "travel_ratio": 5.0, "window_ratio": 3.0}
+    held, silent = (simulate(load("mpm", {**short, "bottom": bottom})) for bottom in ("clamped", "silent"))
+    sunk = [float((run.point_y[-1] - run.point_y[0]).values.min()) for run in (held, silent)]
+    moved = [float(np.abs((run.point_x[-1] - run.point_x[0]).values).min()) for run in (held, silent)]
+    assert moved[0] < 1e-3 * DEPTH < moved[1]
+    assert sunk[1] < sunk[0]
+    assert abs(float(silent.energy_closure)) < 0.02
+    assert float(silent.energy_damping[-1]) > 10 * float(held.energy_damping[-1])
+
+
+def test_path_must_reach_beyond_the_travel():
+    with pytest.raises(ConfigError, match=r"path_ratio = 9 .* more than travel_ratio = 11"):
+        load("mpm", {"path_ratio": 9.0})
