@@ -17,9 +17,10 @@ from rich.table import Table
 
 from orthocut.experiments.speed_mpm import bench_mpm
 
-THEIRS = {"scheme": "usavg", "affine": 0.0, "support": 0.0}
+THEIRS = {"scheme": "usavg", "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
 VARIANTS = {
     "default": {},
+    "without rest far from the tool": {"reach_ratio": 0.0},
     "without support of loose nodes": {"support": 0.0},
     "without yielding": {"hardening": "none"},
     "with friction": {"tool.friction": 0.3},

@@ -78,6 +78,7 @@ VARIABLES: dict[str, Variable] = {
     "courant": Variable("C", "1", "Courant number"),
     "affine": Variable("", "1", "share of the velocity gradient that points hand on"),
     "support": Variable("", "1", "share of a cell's mass below which nodes follow others"),
+    "reach_ratio": Variable("r", "1", "reach of what moves ahead of the tool over depth of cut"),
     "scheme": Variable("", "1", "loop of a time step"),
     "flip": Variable(r"\beta", "1", "share of their own velocity that points keep"),
     "position_order": Variable("", "1", "order of the update of positions"),

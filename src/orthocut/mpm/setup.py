@@ -18,7 +18,7 @@ _MASS_SMALL = 1e-9  # nodes below this fraction of the mass of a full cell are s
 
 
 def fill_blocks(x: np.ndarray, y: np.ndarray, mass: float) -> np.ndarray:
-    """Points at rest in blocks of lanes; lanes that pad the last block stand at the first point and have no mass.
+    """Points at rest in blocks of lanes; lanes that pad the last block stand at the last point and have no mass.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def fill_blocks(x: np.ndarray, y: np.ndarray, mass: float) -> np.ndarray:
     """
     count = -(-x.size // layout.LANES)
     flat = np.zeros((layout.POINT_FIELDS, count * layout.LANES))
-    flat[layout.X], flat[layout.Y] = x[0], y[0]
+    flat[layout.X], flat[layout.Y] = x[-1], y[-1]
     flat[layout.X, : x.size], flat[layout.Y, : y.size] = x, y
     flat[layout.MASS, : x.size] = mass
     for name in (layout.FXX, layout.FYY, layout.BXX, layout.BYY):
@@ -42,10 +42,10 @@ def fill_blocks(x: np.ndarray, y: np.ndarray, mass: float) -> np.ndarray:
 
 
 def _rectangle(columns: range, rows: range, spacing: float) -> tuple[np.ndarray, np.ndarray]:
-    """Places of points on a square lattice, neighbours in the same cell one after the other."""
+    """Places of points on a square lattice, columns of cells one after the other."""
     i, j = np.meshgrid(np.array(columns), np.array(rows), indexing="ij")
     i, j = i.ravel(), j.ravel()
-    order = np.lexsort((i % 2, j % 2, i // 2, j // 2))
+    order = np.lexsort((i % 2, j % 2, j // 2, i // 2))
     return (i[order] + 0.5) * spacing, (j[order] + 0.5) * spacing
 
 
@@ -115,6 +115,7 @@ def build(case: MpmCutting) -> State:
             affine=case.numerics.affine,
             dashpot_normal=0.0 if held else solid.density * solid.speed_pressure_wave * cell,
             dashpot_shear=math.sqrt(solid.density * solid.modulus_shear) * cell,
+            reach=case.numerics.reach_ratio * depth or math.inf,
             last_whole_column=beside + whole // 2 if whole else -1,
         ),
         usavg=Usavg(case.numerics.flip, case.numerics.position_order) if case.numerics.scheme == "usavg" else None,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from orthocut.kernels.mpm import interface, layout, points, step, support, usavg
+from orthocut.kernels.mpm import interface, layout, points, rest, step, support, usavg
 from orthocut.kernels.mpm.frame import Workspace
 from orthocut.mpm.state import State
 
@@ -52,11 +52,15 @@ class Solver:
             moves=_aligned_zeros(2 * lanes),
         )
         self._current = 0
+        self._awake = np.vstack([state.blocks[:, [1, 1]], [2 * [state.interface.shape[1]]]])
+        self._free = np.tile([0, state.frame.count_x - 1, 0, state.frame.count_y - 1], (2, 1))
+        self._free[layout.BASE, 2] = state.frame.last_clamped_row + 1
+        self._rest()
         self._mass = float(state.field(layout.MASS).sum())
         for body in (layout.CHIP, layout.BASE):  # a step of no duration fills the current grid
             points.advance_points(
                 state.points,
-                state.blocks[body],
+                self._awake[body],
                 self._grids[body, 1],
                 self._grids[body, 0],
                 self._space.lanes,
@@ -66,6 +70,21 @@ class Solver:
                 0.0,
             )
 
+    def _rest(self) -> None:
+        """Let material far from the tool rest."""
+        state = self.state
+        tip = state.totals[step.TIP]
+        state.totals[step.RESTED] = tip
+        rest.follow_tool(
+            state.points,
+            state.blocks,
+            state.interface[interface.UPPER_X],
+            self._awake,
+            self._free,
+            tip,
+            state.frame,
+        )
+
     def advance(self, steps: int) -> None:
         """Advance by a number of steps."""
         state = self.state
@@ -74,6 +93,7 @@ class Solver:
                 steps,
                 state.points,
                 state.blocks,
+                self._free,
                 self._grids,
                 self._extents,
                 state.interface,
@@ -91,6 +111,8 @@ class Solver:
             steps,
             state.points,
             state.blocks,
+            self._awake,
+            self._free,
             self._grids,
             self._extents,
             self._current,
@@ -113,6 +135,8 @@ class Solver:
             "totals": state.totals,
             "grids": self._grids,
             "extents": self._extents,
+            "awake": self._awake,
+            "free": self._free,
             "current": np.array(self._current),
         }
 

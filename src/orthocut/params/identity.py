@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
+import io
 import json
+import tokenize
 from collections.abc import Iterator
 from functools import cache
 from importlib.metadata import version
@@ -94,5 +97,21 @@ def _files(parts: tuple[str, ...]) -> Iterator[Path]:
 def _digest(files: Iterator[Path], libraries: str) -> str:
     sha = hashlib.sha256(libraries.encode() + b"\0")
     for file in files:
-        sha.update(file.relative_to(_PACKAGE).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+        text = file.read_text(encoding="utf-8")
+        code = bare(text) if file.suffix == ".py" else text
+        sha.update(file.relative_to(_PACKAGE).as_posix().encode() + b"\0" + code.encode() + b"\0")
     return sha.hexdigest()[:16]
+
+
+def bare(source: str) -> str:
+    """Python source without comments, docstrings and empty lines: what is left can change numbers."""
+    lines = source.splitlines()
+    for token in tokenize.generate_tokens(io.StringIO(source).readline):
+        if token.type == tokenize.COMMENT:
+            row, column = token.start
+            lines[row - 1] = lines[row - 1][:column]
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
+            for row in range(node.lineno - 1, node.end_lineno):
+                lines[row] = ""
+    return "\n".join(filter(None, (line.rstrip() for line in lines)))

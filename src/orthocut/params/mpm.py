@@ -13,6 +13,9 @@ from orthocut.params.material import ElasticPlastic
 from orthocut.params.quantity import Number, Quantity
 from orthocut.params.tool import Tool
 
+LEAST_REACH = 4.0
+"""Least distance ahead of the tool over depth of cut beyond which material may rest."""
+
 
 class Workpiece(Block):
     """Strip of material in multiples of the depth of cut; its bottom is clamped."""
@@ -40,6 +43,8 @@ class MpmNumerics(Block):
     """Share of the velocity gradient that points hand on to the next grid; 0 is PIC, 1 keeps linear velocity fields."""
     support: Annotated[float, Number(0.0, 0.25)] = 0.05
     """Share of the mass of a full cell below which a node follows nodes that have more; 0 for none, as in the paper."""
+    reach_ratio: Annotated[float, Number(0.0, 200.0)] = 8.0
+    """Distance ahead of the tool over depth of cut beyond which material rests, behind it half; 0: all of it moves."""
     scheme: Literal["consistent", "usavg"] = "consistent"
     """Loop of a step: one velocity extrapolation (consistent), or that of the paper's program (usavg)."""
     flip: Annotated[float, Number(0.0, 1.0)] = 0.0
@@ -55,8 +60,13 @@ class MpmNumerics(Block):
 
     @model_validator(mode="after")
     def _used(self) -> MpmNumerics:
+        if 0.0 < self.reach_ratio < LEAST_REACH:
+            raise fault(
+                f"reach_ratio = {self.reach_ratio:g} holds material that the tool deforms "
+                f"(allowed: 0, or at least {LEAST_REACH:g})"
+            )
         if self.scheme == "usavg":
-            for name in ("affine", "support"):
+            for name in ("affine", "support", "reach_ratio"):
                 if getattr(self, name):
                     raise fault(f"{name} = {getattr(self, name):g} is of no use with scheme = usavg (allowed: 0)")
             return self
@@ -100,8 +110,14 @@ class MpmCutting(Block):
                 f"travel_ratio = {self.travel_ratio:g} ends less than 3 depths of cut before the far edge "
                 f"(allowed: up to {limit:g})"
             )
-        if self.workpiece.bottom == "silent" and self.numerics.scheme == "usavg":
-            raise fault("workpiece.bottom = silent does not go with numerics.scheme = usavg (allowed: clamped)")
+        if self.workpiece.bottom == "silent":
+            if self.numerics.scheme == "usavg":
+                raise fault("workpiece.bottom = silent does not go with numerics.scheme = usavg (allowed: clamped)")
+            if self.numerics.reach_ratio:
+                raise fault(
+                    f"numerics.reach_ratio = {self.numerics.reach_ratio:g} would hold a base on dashpots "
+                    "(allowed: 0, or workpiece.bottom = clamped)"
+                )
         path, notch = self.workpiece.path_ratio, self.workpiece.notch_ratio
         if 0.0 < path <= max(notch, self.travel_ratio):
             raise fault(

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from orthocut.params.case import Case
 
 _SOLID_FRACTION = 0.9
+_PARTS = 16  # of the travel of a tool
 
 
 def particles(case: Case) -> float:
@@ -19,6 +20,19 @@ def particles(case: Case) -> float:
     packing = case.packing
     mean_square = packing.radius_min**2 * (1 + packing.radius_ratio + packing.radius_ratio**2) / 3
     return _SOLID_FRACTION * packing.width * packing.height / (math.pi * mean_square)
+
+
+def moving(case: Case) -> float:
+    """Number of particles that a step moves, about, as a mean over the run: material far from a tool rests."""
+    if case.kind != "mpm_cutting" or not case.numerics.reach_ratio:
+        return particles(case)
+    work, reach = case.workpiece, case.numerics.reach_ratio
+    total = 0.0
+    for part in range(_PARTS):
+        travel = (part + 0.5) / _PARTS * case.travel_ratio
+        ahead = min(reach, work.length_ratio - travel) * (1 + work.base_ratio)
+        total += ahead + travel + min(0.5 * reach, travel) * work.base_ratio
+    return total / _PARTS * case.numerics.points_per_depth**2
 
 
 def steps(case: Case, strain: float = math.inf) -> float:

@@ -28,7 +28,7 @@ def test_identity_does_not_depend_on_units_or_order():
     assert case_id(one) == case_id(two)
 
 
-PAPER = {"affine": 0.0, "support": 0.0}
+PAPER = {"affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
 CHOICES = {
     "hardening": "voce",
     "law": "triangular",
@@ -45,6 +45,7 @@ NEEDS = {
     "strain_saturation": {"hardening": "voce"},
     "peak_ratio": {"law": "triangular"},
     "scheme": PAPER,
+    "bottom": {"reach_ratio": 0.0},
     "flip": {"scheme": "usavg", **PAPER},
     "position_order": {"scheme": "usavg", **PAPER},
 }
@@ -178,6 +179,9 @@ def test_numbers_in_files_may_be_written_with_exponents(tmp_path):
         ("mpm", {"position_order": 1}, r"position_order = 1 is of no use.*allowed: 2, or scheme = usavg"),
         ("mpm", {"scheme": "usavg"}, r"affine = 1 is of no use with scheme = usavg \(allowed: 0\)"),
         ("mpm", {"scheme": "usavg", "affine": 0.0}, r"support = 0.05 is of no use with scheme = usavg"),
+        ("mpm", {"scheme": "usavg", "affine": 0.0, "support": 0.0}, r"reach_ratio = 8 is of no use with scheme"),
+        ("mpm", {"reach_ratio": 3.0}, r"reach_ratio = 3 holds material .*allowed: 0, or at least 4"),
+        ("mpm", {"bottom": "silent"}, r"reach_ratio = 8 would hold a base on dashpots \(allowed: 0, or"),
         ("mpm", {"scheme": "usavg", "position_order": 3}, "position_order"),
         ("mpm", {"contact": "near"}, "contact"),
         ("mpm", {"rake_angle": "70 deg", "clearance_angle": "20 deg"}, "leave a wedge of"),

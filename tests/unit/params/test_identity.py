@@ -70,3 +70,24 @@ def test_libraries_count(package, monkeypatch):
     identity.digest_numbers.cache_clear()
     monkeypatch.setattr(identity, "version", lambda name: "0.0")
     assert identity.digest_numbers("mpm_cutting") != before
+
+
+@pytest.mark.parametrize(
+    ("edited", "same"),
+    [
+        ('"""New words."""\n\nEDGE = 1  # other words\n', True),
+        ('"""Words."""\n\n\n# a line of its own\nEDGE = 1\n\n"""Edge."""\n', True),
+        ('"""Words."""\nEDGE = 2\n', False),
+        ('"""Words."""\nEDGE = "# 1"\n', False),
+        ('"""Words."""\nif True:\n    EDGE = 1\n', False),
+    ],
+)
+def test_words_about_the_code_are_no_part_of_a_digest(package, edited, same):
+    def digest():
+        identity.digest_numbers.cache_clear()
+        return identity.digest_numbers("mpm_cutting")
+
+    (package / "kernels/mpm/grid.py").write_text('"""Words."""\nEDGE = 1\n')
+    before = digest()
+    (package / "kernels/mpm/grid.py").write_text(edited)
+    assert (digest() == before) is same

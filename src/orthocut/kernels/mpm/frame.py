@@ -1,5 +1,6 @@
 """Constants of a run, bundled for the kernels."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +39,8 @@ class Frame(NamedTuple):
     """Resistance of a dashpot across the bottom, density times wave speed times cell [kg/(m s)]; 0 where it is held."""
     dashpot_shear: float = 0.0
     """Resistance of a dashpot along the bottom [kg/(m s)]."""
+    reach: float = math.inf
+    """Material farther than this ahead of the tool tip, or half as far behind it, rests [m]."""
     last_whole_column: int = -1
     """Up to this column, beyond the end of the path, chip and base are one; -1 where there is no such place."""
 

@@ -15,8 +15,8 @@ def clear_grid(grid, extent, frame):
 
 
 @part
-def update_grid(grid, extent, frame, last_clamped_row, damping):
-    """New velocities of the nodes from momentum, force and damping; clamped nodes stand still.
+def update_grid(grid, extent, frame, free, damping):
+    """New velocities of the nodes from momentum, force and damping; held nodes stand still.
 
     Parameters
     ----------
@@ -27,8 +27,9 @@ def update_grid(grid, extent, frame, last_clamped_row, damping):
         First and last column, first and last row of the nodes in use.
     frame : Frame
         Grid and time step.
-    last_clamped_row : int
-        Rows up to this one are clamped in both directions, or on dashpots; -1 for none.
+    free : int array, shape (4,)
+        First and last column, first and last row of the nodes that are not held; rows below are clamped in both
+        directions, or on dashpots.
     damping : float
         Feedback damping rate [1/s].
 
@@ -39,14 +40,15 @@ def update_grid(grid, extent, frame, last_clamped_row, damping):
     damped : float
         Energy removed by damping and by dashpots [J/m].
     impulse_x, impulse_y : float
-        Impulse of the clamp on the body [N s/m].
+        Impulse of the clamp and of the held nodes on the body [N s/m].
     """
     time_step = frame.time_step
     kinetic = damped = impulse_x = impulse_y = 0.0
     for j in range(extent[2], extent[3] + 1):
-        clamped = j <= last_clamped_row
+        clamped = j < free[2]
         row = j * frame.count_x
-        for at in range((row + extent[0]) * NODE, (row + extent[1] + 1) * NODE, NODE):
+        for i in range(extent[0], extent[1] + 1):
+            at = (row + i) * NODE
             mass = grid[at + NM]
             mark = grid[at + NMARK]
             if mark == LOOSE or mass <= frame.mass_small:
@@ -54,7 +56,8 @@ def update_grid(grid, extent, frame, last_clamped_row, damping):
             grid[at + NMARK] = 0.0
             px, py = grid[at + NPX], grid[at + NPY]
             fx, fy = grid[at + NFX], grid[at + NFY]
-            if clamped and frame.dashpot_normal > 0.0:
+            resting = i < free[0] or i > free[1]
+            if clamped and frame.dashpot_normal > 0.0 and not resting:
                 vx, vy = px / mass, py / mass
                 new_vx = (px + time_step * fx) / (mass + time_step * frame.dashpot_shear)
                 new_vy = (py + time_step * fy) / (mass + time_step * frame.dashpot_normal)
@@ -67,7 +70,7 @@ def update_grid(grid, extent, frame, last_clamped_row, damping):
                 kinetic += 0.5 * (px * vx + py * vy)
                 damped -= 0.5 * (push_x * (vx + new_vx) + push_y * (vy + new_vy))
                 continue
-            if clamped:
+            if clamped or resting:
                 impulse_x -= px + time_step * fx
                 impulse_y -= py + time_step * fy
                 grid[at + NVX] = 0.0

@@ -81,10 +81,10 @@ def sample(grid, x, y, frame):
 
 
 @part
-def set_normals(interface):
-    """Normals of the living pairs from central differences of the midpoints of their living neighbours."""
+def set_normals(interface, first):
+    """Normals of the living pairs from a first one on: central differences of midpoints of their living neighbours."""
     count = interface.shape[1]
-    for k in range(count):
+    for k in range(first, count):
         if interface[ALIVE, k] == 0.0:
             continue
         a = k - 1 if k > 0 and interface[ALIVE, k - 1] > 0.0 else k
@@ -98,13 +98,15 @@ def set_normals(interface):
 
 
 @part
-def pull_together(interface, chip, base, closing, closing_normal, closing_slot, cohesion, time, tip, frame):
+def pull_together(interface, first, chip, base, closing, closing_normal, closing_slot, cohesion, time, tip, frame):
     """Add the tractions of all living pairs to the nodes; list the nodes where the interface is closed.
 
     Parameters
     ----------
     interface : float array, shape (INTERFACE_ROWS, n_pairs)
         State of the pairs; modified in place.
+    first : int
+        Pairs before this one are at rest.
     chip, base : float array
         Nodes of both bodies; forces are added.
     closing : int array
@@ -130,7 +132,7 @@ def pull_together(interface, chip, base, closing, closing_normal, closing_slot, 
     law, criterion = cohesion.law, cohesion.criterion
     area = pair_area(frame)
     count = 0
-    for k in range(interface.shape[1]):
+    for k in range(first, interface.shape[1]):
         if interface[PRESENT, k] == 0.0:
             continue
         nx, ny = interface[NORMAL_X, k], interface[NORMAL_Y, k]
@@ -165,8 +167,8 @@ def pull_together(interface, chip, base, closing, closing_normal, closing_slot, 
         if normal < 0.0:
             for side in range(2):
                 i, j, _, _ = _locate(interface[UPPER_X + 2 * side, k], interface[UPPER_Y + 2 * side, k], frame)
-                first = j * frame.count_x + i
-                for node in (first, first + 1, first + frame.count_x, first + frame.count_x + 1):
+                corner = j * frame.count_x + i
+                for node in (corner, corner + 1, corner + frame.count_x, corner + frame.count_x + 1):
                     if closing_slot[node] < 0:
                         closing_slot[node] = count
                         closing[count] = node * NODE
@@ -212,8 +214,8 @@ def push_apart(chip, base, closing, closing_normal, count, frame):
 
 
 @part
-def move_pairs(interface, chip, base, frame):
-    """Move both copies of all pairs that are looked at with the velocities at the end of the step.
+def move_pairs(interface, first, chip, base, frame):
+    """Move both copies of all pairs that are looked at, from a first one on, with the velocities of the step's end.
 
     Returns
     -------
@@ -222,7 +224,7 @@ def move_pairs(interface, chip, base, frame):
     """
     work = 0.0
     time_step, area = frame.time_step, pair_area(frame)
-    for k in range(interface.shape[1]):
+    for k in range(first, interface.shape[1]):
         if interface[PRESENT, k] == 0.0:
             continue
         ux, uy = sample(chip, interface[UPPER_X, k], interface[UPPER_Y, k], frame)

@@ -11,9 +11,10 @@ from orthocut.kernels.mpm.contact import push_with_tool
 from orthocut.kernels.mpm.contact_cells import remove_tool
 from orthocut.kernels.mpm.contact_search import RELIST, list_near, mark_touching, place_tool
 from orthocut.kernels.mpm.grid import clear_grid, join_bodies, update_grid, work_of_forces
-from orthocut.kernels.mpm.interface import move_pairs, pull_together, push_apart, set_normals
+from orthocut.kernels.mpm.interface import UPPER_X, move_pairs, pull_together, push_apart, set_normals
 from orthocut.kernels.mpm.layout import BASE, CHIP
 from orthocut.kernels.mpm.points import advance_points
+from orthocut.kernels.mpm.rest import PAIRS, follow_tool
 from orthocut.kernels.mpm.support import follow_firm_nodes, lean_on_firm_nodes, work_of_loose_forces
 
 # totals since the start
@@ -25,12 +26,28 @@ KINETIC = 12  # kinetic energy of the points [J/m]
 TIME = 13  # [s]
 DAMPING = 14  # rate of the feedback damping [1/s]
 TIP = 15  # place of the tool tip along the cut [m]
-TOTALS = 16
+RESTED = 16  # place of the tool tip when material far from it was last put to rest [m]
+TOTALS = 17
 
 
 @jit
 def run_steps(
-    steps, points, blocks, grids, extents, current, interface, totals, solid, cohesion, wedge, frame, space, mass_body
+    steps,
+    points,
+    blocks,
+    awake,
+    free,
+    grids,
+    extents,
+    current,
+    interface,
+    totals,
+    solid,
+    cohesion,
+    wedge,
+    frame,
+    space,
+    mass_body,
 ):
     """Advance the cut by a number of steps.
 
@@ -42,6 +59,10 @@ def run_steps(
         Fields of all points in blocks; modified in place.
     blocks : int array, shape (2, 2)
         First block of each body and first block after it.
+    awake : int array, shape (AWAKE, 2)
+        First block of each body that is awake and first one after those; first pair and number of pairs.
+    free : int array, shape (2, 4)
+        First and last column, first and last row of the nodes of each body that are not held.
     grids : float array, shape (2, 2, n_nodes * NODE)
         Two grids of each body, used in turns; the current one holds mass, momentum and force of the points.
     extents : int array, shape (2, 2, 4)
@@ -72,11 +93,12 @@ def run_steps(
         chip, base = grids[CHIP, current], grids[BASE, current]
         if listed_at - totals[TIP] > RELIST * frame.cell:
             listed_at = totals[TIP]
-            near_chip, near_base = list_near(points, blocks, wedge, listed_at, frame, space)
+            near_chip, near_base = list_near(points, awake, wedge, listed_at, frame, space)
 
-        set_normals(interface)
+        set_normals(interface, awake[PAIRS, 0])
         closed = pull_together(
             interface,
+            awake[PAIRS, 0],
             chip,
             base,
             space.closing,
@@ -91,13 +113,12 @@ def run_steps(
         loose_chip = loose_base = 0
         for body in (CHIP, BASE):
             grid, extent = grids[body, current], extents[body, current]
-            last_clamped_row = frame.last_clamped_row if body == BASE else -1
             loose, weights = space.loose[body], space.loose_weights[body]
             count = 0
             if frame.mass_firm > 0.0:
-                count = lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row)
+                count = lean_on_firm_nodes(grid, extent, loose, weights, frame, free[body])
             before, damped, clamp_x, clamp_y = update_grid(
-                grid, extent, frame, last_clamped_row, totals[DAMPING] if ramping else 0.0
+                grid, extent, frame, free[body], totals[DAMPING] if ramping else 0.0
             )
             follow_firm_nodes(grid, loose, weights, count, frame)
             if body == CHIP:
@@ -140,13 +161,16 @@ def run_steps(
             count = loose_chip if body == CHIP else loose_base
             work += work_of_loose_forces(grid, grid_before, loose, weights, count, frame)
 
-        totals[COHESIVE] += move_pairs(interface, chip, base, frame)
+        totals[COHESIVE] += move_pairs(interface, awake[PAIRS, 0], chip, base, frame)
+        if totals[RESTED] - totals[TIP] > frame.cell:
+            totals[RESTED] = totals[TIP]
+            follow_tool(points, blocks, interface[UPPER_X], awake, free, totals[TIP], frame)
         kinetic = 0.0
         for body in (CHIP, BASE):
             clear_grid(grids[body, 1 - current], extents[body, 1 - current], frame)
             kinetic += advance_points(
                 points,
-                blocks[body],
+                awake[body],
                 grids[body, current],
                 grids[body, 1 - current],
                 space.lanes,

@@ -33,7 +33,7 @@ def _offset(direction, frame):
 
 
 @part
-def lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row):
+def lean_on_firm_nodes(grid, extent, loose, weights, frame, free):
     """List the loose nodes of a body and hand their forces and masses to firm nodes.
 
     Parameters
@@ -49,8 +49,8 @@ def lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row):
         Receives the weight of the line in each direction; the sum is one.
     frame : Frame
         Grid.
-    last_clamped_row : int
-        Rows up to this one are clamped; no node leans on them.
+    free : int array, shape (4,)
+        First and last column, first and last row of the nodes that are not held; no node leans on others.
 
     Returns
     -------
@@ -58,9 +58,11 @@ def lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row):
         Number of loose nodes. Nodes without a line of two firm nodes move on their own.
     """
     firm = frame.mass_firm
+    left, right = max(extent[0], free[0]), min(extent[1], free[1])
+    lower, upper = max(extent[2], free[2]), min(extent[3], free[3])
     count = 0
-    for j in range(max(extent[2], last_clamped_row + 1), extent[3] + 1):
-        for i in range(extent[0], extent[1] + 1):
+    for j in range(lower, upper + 1):
+        for i in range(left, right + 1):
             node = j * frame.count_x + i
             mass = grid[node * NODE + NM]
             if mass <= frame.mass_small or mass >= firm:
@@ -69,8 +71,7 @@ def lean_on_firm_nodes(grid, extent, loose, weights, frame, last_clamped_row):
             for d in range(DIRECTIONS):
                 column, row, step = _offset(d, frame)
                 weights[count, d] = 0.0
-                inside = extent[0] <= i + 2 * column <= extent[1]
-                if inside and max(extent[2], last_clamped_row + 1) <= j + 2 * row <= extent[3]:
+                if left <= i + 2 * column <= right and lower <= j + 2 * row <= upper:
                     first = grid[(node + step) * NODE + NM] - firm
                     second = grid[(node + 2 * step) * NODE + NM] - firm
                     if first >= 0.0 and second >= 0.0:

@@ -59,13 +59,27 @@ def touch(chip, base, extent, closed, touching_chip, touching_base, wedge, speed
 
 @jit
 def run_steps_usavg(
-    steps, points, blocks, grids, extents, interface, totals, usavg, solid, cohesion, wedge, frame, space, mass_body
+    steps,
+    points,
+    blocks,
+    free,
+    grids,
+    extents,
+    interface,
+    totals,
+    usavg,
+    solid,
+    cohesion,
+    wedge,
+    frame,
+    space,
+    mass_body,
 ):
     """Advance the cut by a number of steps.
 
     Parameters
     ----------
-    steps, points, blocks, interface, totals, solid, cohesion, wedge, frame, space, mass_body
+    steps, points, blocks, free, interface, totals, solid, cohesion, wedge, frame, space, mass_body
         See `orthocut.kernels.mpm.step.run_steps`.
     grids : float array, shape (2, 3, n_nodes * NODE)
         Three grids of each body.
@@ -76,7 +90,6 @@ def run_steps_usavg(
     """
     near_chip = near_base = 0
     listed_at = math.inf
-    clamped = (-1, frame.last_clamped_row)
     for _ in range(steps):
         ramping = totals[TIME] < wedge.ramp_time
         speed = wedge.speed * min(totals[TIME] / wedge.ramp_time, 1.0)
@@ -88,9 +101,10 @@ def run_steps_usavg(
         on_chip = mark_touching(points, near_chip, seen, CHIP, wedge, tip, frame, space)
         on_base = mark_touching(points, near_base, seen, BASE, wedge, tip, frame, space)
         remove_tool(space.tool_sums, space.tool_nodes, seen)
-        set_normals(interface)
+        set_normals(interface, 0)
         closed = pull_together(
             interface,
+            0,
             grids[CHIP, FIRST],
             grids[BASE, FIRST],
             space.closing,
@@ -104,7 +118,7 @@ def run_steps_usavg(
 
         for body in (CHIP, BASE):
             grid = grids[body, FIRST]
-            set_velocities(grid, grid, extents[body, 0], frame, clamped[body])
+            set_velocities(grid, grid, extents[body, 0], frame, free[body])
         touch(
             grids[CHIP, FIRST],
             grids[BASE, FIRST],
@@ -123,7 +137,7 @@ def run_steps_usavg(
             copy_loads(grids[body, FIRST], grid, extents[body, 0], frame)
             load_points(points, blocks[body], grids[body, FIRST], grid, space.lanes, solid, frame)
             before, damped, clamp_x, clamp_y = update_grid(
-                grid, extents[body, 0], frame, clamped[body], totals[DAMPING] if ramping else 0.0
+                grid, extents[body, 0], frame, free[body], totals[DAMPING] if ramping else 0.0
             )
             kinetic_old += before
             work -= damped
@@ -156,9 +170,9 @@ def run_steps_usavg(
 
         for body in (CHIP, BASE):
             grid = grids[body, THIRD]
-            set_velocities(grids[body, FIRST], grid, extents[body, 0], frame, clamped[body])
+            set_velocities(grids[body, FIRST], grid, extents[body, 0], frame, free[body])
             accelerate_points(points, blocks[body], space.moves, grids[body, SECOND], grid, space.lanes, usavg, frame)
-            set_velocities(grid, grid, extents[body, 0], frame, clamped[body])
+            set_velocities(grid, grid, extents[body, 0], frame, free[body])
         touch(
             grids[CHIP, THIRD],
             grids[BASE, THIRD],
@@ -175,7 +189,7 @@ def run_steps_usavg(
             work += work_of_stresses(
                 grids[body, FIRST], grids[body, SECOND], grids[body, THIRD], extents[body, 0], frame
             )
-        opened = move_pairs(interface, grids[CHIP, THIRD], grids[BASE, THIRD], frame)
+        opened = move_pairs(interface, 0, grids[CHIP, THIRD], grids[BASE, THIRD], frame)
         work -= opened
         totals[COHESIVE] += opened
 

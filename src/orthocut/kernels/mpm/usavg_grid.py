@@ -5,7 +5,7 @@ from orthocut.kernels.mpm.layout import NFX, NFY, NM, NMARK, NODE, NPX, NPY, NVX
 
 
 @part
-def set_velocities(grid, target, extent, frame, last_clamped_row):
+def set_velocities(grid, target, extent, frame, free):
     """Set the velocities of a target grid to momentum over mass of a grid; clamped nodes stand still.
 
     Parameters
@@ -16,14 +16,14 @@ def set_velocities(grid, target, extent, frame, last_clamped_row):
         First and last column, first and last row of the nodes in use.
     frame : Frame
         Grid.
-    last_clamped_row : int
-        Rows up to this one are clamped in both directions; -1 for none.
+    free : int array, shape (4,)
+        First and last column, first and last row of the nodes that are not held; only the rows count here.
     """
     for j in range(extent[2], extent[3] + 1):
         row = j * frame.count_x
         for at in range((row + extent[0]) * NODE, (row + extent[1] + 1) * NODE, NODE):
             mass = grid[at + NM]
-            scale = 1.0 / mass if mass > frame.mass_small and j > last_clamped_row else 0.0
+            scale = 1.0 / mass if mass > frame.mass_small and j >= free[2] else 0.0
             target[at + NVX] = scale * grid[at + NPX]
             target[at + NVY] = scale * grid[at + NPY]
 

@@ -23,8 +23,8 @@ def nodes(seed=5):
     return grid
 
 
-def update(grid, clamped=-1, damping=0.0):
-    return update_grid(grid.ravel(), ALL, FRAME, clamped, damping)
+def update(grid, free=ALL, damping=0.0):
+    return update_grid(grid.ravel(), ALL, FRAME, np.array(free), damping)
 
 
 def velocity(grid):
@@ -57,7 +57,7 @@ def test_change_of_kinetic_energy_is_work_of_forces_less_damping():
 def test_clamped_rows_stand_still_and_their_impulse_is_reported():
     grid = nodes()
     row = grid[:4].copy()
-    *_, impulse_x, impulse_y = update(grid, clamped=0)
+    *_, impulse_x, impulse_y = update(grid, free=(0, 3, 1, 2))
     assert (velocity(grid)[:4] == 0.0).all()
     assert (velocity(grid)[4:] != 0.0).all()
     assert impulse_x == pytest.approx(-(row[:, layout.NPX] + 1e-6 * row[:, layout.NFX]).sum(), rel=1e-12)
@@ -87,3 +87,13 @@ def test_clearing_leaves_what_lies_outside():
     cleared = (grid == 0.0).all(axis=1).reshape(3, 4)
     assert cleared[1:, 1:3].all()
     assert cleared.sum() == 4
+
+
+def test_nodes_beside_the_free_columns_stand_still():
+    grid = nodes()
+    _, _, impulse_x, impulse_y = update(grid, free=(1, 2, 0, 2))
+    held = np.arange(12) % 4 % 3 == 0
+    assert (velocity(grid)[held] == 0.0).all()
+    assert (velocity(grid)[~held] != 0.0).all()
+    pushed = grid[held][:, [layout.NPX, layout.NPY]] + FRAME.time_step * grid[held][:, [layout.NFX, layout.NFY]]
+    assert (impulse_x, impulse_y) == pytest.approx(-pushed.sum(axis=0), rel=1e-12)

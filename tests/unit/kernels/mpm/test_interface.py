@@ -44,7 +44,7 @@ class Interface:
 
     def pull(self, chip, base):
         return pairs.pull_together(
-            self.state, chip, base, self.closing, self.normal, self.slot, self.cohesion, 1.0, self.tip, FRAME
+            self.state, 0, chip, base, self.closing, self.normal, self.slot, self.cohesion, 1.0, self.tip, FRAME
         )
 
     def open(self, direction, distance, steps=2000):
@@ -53,7 +53,7 @@ class Interface:
         for _ in range(steps):
             chip, base = self.bodies(velocity)
             self.pull(chip, base)
-            self.work += pairs.move_pairs(self.state, chip, base, FRAME)
+            self.work += pairs.move_pairs(self.state, 0, chip, base, FRAME)
 
     @property
     def alive(self):

@@ -37,12 +37,12 @@ class Body:
     def get(self, first):
         return self.grid[:, first : first + 2]
 
-    def lean(self, clamped=-1):
-        self.count = lean_on_firm_nodes(self.grid.ravel(), ALL, self.loose, self.weights, FRAME, clamped)
+    def lean(self, free=ALL):
+        self.count = lean_on_firm_nodes(self.grid.ravel(), ALL, self.loose, self.weights, FRAME, free)
 
-    def update(self, clamped=-1):
-        self.lean(clamped)
-        update_grid(self.grid.ravel(), ALL, FRAME, clamped, 0.0)
+    def update(self, free=ALL):
+        self.lean(free)
+        update_grid(self.grid.ravel(), ALL, FRAME, free, 0.0)
         follow_firm_nodes(self.grid.ravel(), self.loose, self.weights, self.count, FRAME)
 
 
@@ -115,10 +115,20 @@ def test_work_is_that_of_all_forces_as_they_were():
 
 def test_no_node_leans_on_clamped_rows():
     body = Body()
-    body.lean(clamped=2)
+    body.lean(np.array([0, COLUMNS - 1, 3, ROWS - 1]))
     found = body.loose[: body.count]
     assert (Y[found] > 2).all()
     assert not body.weights[: body.count][Y[found] == 3][:, :3].any()
+
+
+def test_no_node_leans_on_columns_that_are_held():
+    body = Body()
+    body.lean(np.array([3, 6, 0, ROWS - 1]))
+    found = body.loose[: body.count]
+    assert set(X[found]) == {3, 4, 5, 6}
+    weights = body.weights[: body.count].reshape(-1, 8)
+    assert not weights[X[found] == 3][:, [0, 3, 5]].any()
+    assert not weights[X[found] == 6][:, [2, 4, 7]].any()
 
 
 def test_nodes_without_firm_lines_are_left_alone():
