@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import label, nothing, page
-from orthocut.figures.discretisation import finest
+from orthocut.figures.discretisation import finest, has_partners
 from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import BLACK, SERIES
 from orthocut.figures.regimes import Transition, transition
@@ -73,7 +73,7 @@ def draw_forces(
     """
     dataset = finest(dataset, "force_cutting_mean")
     groups = grouped(dataset, "force_cutting_mean")
-    figure = page(3.7, WIDTH)
+    figure = page(4.1 if has_partners(dataset) else 3.7, WIDTH)
     ax = figure.subplots()
     ax.set_xlabel(label("depth_dimensionless") + " [-]")
     ax.set_ylabel(label("force_over_toughness") + " [-]")
