@@ -44,8 +44,10 @@ def test_figures_share_cases(plan):
 def test_all_cases_of_the_depth_sweeps_share_their_numerics(plan):
     figures = [f"nairn2015_fig{number}" for number in ("08", "10", "11", "12", "13", "14", "15", "16")]
     cases = [plan.cases[case] for figure in figures for case in plan.figures[figure]]
-    assert len({(case.numerics, case.workpiece, case.cut_speed, case.travel_ratio) for case in cases}) == 1
-    assert cases[0].numerics.points_per_depth == 8
+    numerics = {case.numerics.model_copy(update={"points_per_depth": 8}) for case in cases}
+    assert len(numerics) == 1
+    assert len({(case.workpiece, case.cut_speed, case.travel_ratio) for case in cases}) == 1
+    assert max(case.numerics.points_per_depth for case in cases) == 8
 
 
 def test_snapshots_are_taken_of_few_cases(plan):

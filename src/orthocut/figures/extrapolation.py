@@ -44,7 +44,7 @@ def extrapolate(sizes: Sequence[float], values: Sequence[float], errors: Sequenc
         Results at these sizes, in any unit.
     errors : sequence of float
         Standard errors of the values, in their unit. One that is not known, or below half a percent of its value,
-        counts as half a percent.
+        counts as half a percent, of the largest value where its own is zero.
     power : float
         Order of convergence [-].
 
@@ -63,6 +63,7 @@ def extrapolate(sizes: Sequence[float], values: Sequence[float], errors: Sequenc
     if np.unique(x).size < 2:
         raise ValueError(f"{np.unique(x).size} particle size is not enough for a fit (allowed: two or more)")
     sigma = np.fmax(np.asarray(errors, float), FLOOR * np.abs(y))
+    sigma = np.where(sigma > 0, sigma, FLOOR * (np.abs(y).max() or 1.0))
     design = np.column_stack([np.ones_like(x), x]) / sigma[:, None]
     covariance = np.linalg.inv(design.T @ design)
     limit, slope = covariance @ design.T @ (y / sigma)

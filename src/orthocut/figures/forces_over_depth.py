@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import label, nothing, page
+from orthocut.figures.discretisation import finest, has_partners
 from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import BLACK, SERIES
 from orthocut.figures.regimes import Transition, transition
@@ -21,15 +22,17 @@ from orthocut.figures.sweep import (
     over_toughness,
     touches,
 )
-from orthocut.figures.symbols import GREY, columns_of_handles, draw_force, state_handles
+from orthocut.figures.symbols import GREY, columns_of_handles, draw_force, resolution_handles, state_handles
 from orthocut.io.collect import case_of
 from orthocut.theory import bending, touching
 
 SYMBOLS = (
     "Open symbols: the tool touches the crack tip; filled: the chip bends ahead of it. Bars: standard error of the "
-    "mean; pale bars: half of the drift over the window to either side, large where a cut is not yet steady. One "
-    "resolution: the discretisation error, which nairn2015_convergence shows, is not in the bars. Crosses on the axis: "
-    "failed runs."
+    "mean; pale bars: half of the drift over the window to either side, large where a cut is not yet steady. Thin "
+    "lines that end in a tick: from the finest resolution to zero particle size, on a straight line over particle size "
+    "through the coarser run of the same cut. That is the discretisation error if it falls with the first order; with "
+    "5 and 8 points the tick is known to some three times the bar. Ringed: the coarser run is of the other regime, and "
+    "there is no such line. Without coarser runs this error is not shown. Crosses on the axis: failed runs."
 )
 """What captions say of the symbols."""
 DEFAULT_STRENGTH = 40e6
@@ -56,7 +59,7 @@ def draw_forces(
     Parameters
     ----------
     dataset : xarray.Dataset
-        Collected runs.
+        Collected runs; those at the finest resolution of each cut are drawn, and what coarser ones tell of its error.
     touching_model, bending_model : bool
         Whether to draw the touching model up to the transition and the bending model beyond.
     rubbing_above : float
@@ -68,8 +71,9 @@ def draw_forces(
     joined : bool
         Whether dotted lines join the symbols of a series.
     """
+    dataset = finest(dataset, "force_cutting_mean")
     groups = grouped(dataset, "force_cutting_mean")
-    figure = page(3.7, WIDTH)
+    figure = page(4.1 if has_partners(dataset) else 3.7, WIDTH)
     ax = figure.subplots()
     ax.set_xlabel(label("depth_dimensionless") + " [-]")
     ax.set_ylabel(label("force_over_toughness") + " [-]")
@@ -93,11 +97,17 @@ def draw_forces(
             for style, (x, y) in curves:
                 width = 0.7 if style == CONSISTENT else 1.0
                 ax.plot(x, y, style, color=colours[group] if modelled is None else BLACK, lw=width, zorder=1.5)
-    highest = max(over_toughness(run) for runs in groups.values() for run in runs)
+    highest = max(_highest(run) for runs in groups.values() for run in runs)
     ax.set_xlim(left=0)
     ax.set_ylim(0, 1.15 * highest)
-    _legend(figure, groups, colours, touching_model, bending_model, extended_rake is not None)
+    states = state_handles() + resolution_handles(dataset)
+    _legend(figure, groups, colours, states, touching_model, bending_model, extended_rake is not None)
     return figure
+
+
+def _highest(run: xr.Dataset) -> float:
+    """Larger one of the force of a run and of its limit, over toughness [-]."""
+    return float(np.fmax(over_toughness(run), over_toughness(run, "force_cutting_mean_limit")))
 
 
 def _marker(group: Group) -> str:
@@ -138,7 +148,7 @@ def _solved(runs: list[xr.Dataset], solve, depths: np.ndarray, rubbing: np.ndarr
     return np.array([one.depth_dimensionless for one in found]), np.array([one.force_over_toughness for one in found])
 
 
-def _legend(figure: Figure, groups, colours, touched: bool, bent: bool, extended: bool) -> None:
+def _legend(figure: Figure, groups, colours, states: list[Line2D], touched: bool, bent: bool, extended: bool) -> None:
     """Series, states and, where there are any, models; one column each where they fit."""
     series = [
         Line2D([], [], ls="", marker=_marker(group), color=colours[group], label=group_name(group, groups))
@@ -147,7 +157,7 @@ def _legend(figure: Figure, groups, colours, touched: bool, bent: bool, extended
     printed = "models of the paper" if touched else "bending, printed"
     lines = [(PRINTED, printed), (CONSISTENT, "bending, consistent"), (EXTENSION, "bending, thin cuts")]
     models = [Line2D([], [], color=GREY, ls=style, label=text) for style, text in lines[: 3 if extended else 2]]
-    rest = state_handles() + (models if bent else [])
+    rest = states + (models if bent else [])
     columns = [series, rest]
     if len(series) > len(rest):
         half = (len(series) + 1) // 2

@@ -24,8 +24,10 @@ __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 CAPTION = (
     "Claims of Nairn (2015) and the verdicts that fixed rules give on them from the runs of this study. Symbols: "
     "deviation from the value of the paper where the claim is a number; those beyond the axis stand at its ends. "
-    "Artefact: seen at this resolution, but not at zero particle size. Not tested: runs are missing. The table holds "
-    "the numbers, the rules and the figures that show them."
+    "Rules take the finest resolution that is common among the runs, and straight lines over particle size to zero "
+    "where runs at other resolutions differ in nothing else. Artefact: seen at this resolution, but not at zero "
+    "particle size. Not tested: runs are missing. The table holds the numbers, the rules and the figures that show "
+    "them."
 )
 DIMS = ()
 COLOURS = {

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import xarray as xr
 
 from orthocut.figures.canvas import cases
+from orthocut.figures.extrapolation import extrapolate
 from orthocut.figures.regimes import Transition, transition
 from orthocut.figures.scene import last_snapshot
 from orthocut.io.collect import case_of, parameters
@@ -35,6 +36,8 @@ class Cut:
     """Change of the force over the window, over its mean [-]."""
     rubbing: float = 0.0
     """Rubbing force over toughness [-]."""
+    rubbing_error: float = math.nan
+    """Standard error of the rubbing force [-]."""
     touching: bool = False
     """Whether the tool touches the crack tip."""
     mode_one: float = math.nan
@@ -48,6 +51,11 @@ class Cut:
     def depth(self) -> float:
         """Depth of cut [m]."""
         return self.case.cut_depth
+
+    @property
+    def points(self) -> int:
+        """Material points through the depth of cut."""
+        return self.case.numerics.points_per_depth
 
 
 def cuts_of(dataset: xr.Dataset) -> list[Cut]:
@@ -69,6 +77,7 @@ def _cut(run: xr.Dataset) -> Cut:
         number("force_cutting_error", each),
         number("force_cutting_drift"),
         rubbing if math.isfinite(rubbing) else 0.0,
+        number("force_rubbing_error", each),
         number("touching") >= 0.5,
         number("mode_one_fraction"),
         number("steady_travel"),
@@ -113,19 +122,74 @@ def strain_shear(run: xr.Dataset) -> float:
     return float(np.quantile(stretches[:, 0] - stretches[:, 1], STRAIN_SHARE))
 
 
-def usual(cuts: Sequence[Cut]) -> list[Cut]:
-    """Cuts that are computed as most of them are: resolution, scheme, speed, travel and workpiece."""
+def alike(cuts: Sequence[Cut]) -> list[Cut]:
+    """Cuts that are computed as most of them are, at any resolution: scheme, speed, travel and workpiece."""
 
     def scheme(cut: Cut) -> tuple:
         case = cut.case
-        return case.numerics, case.workpiece, case.cut_speed, case.travel_ratio, case.window_ratio
+        return (
+            case.numerics.model_copy(update={"points_per_depth": 2}),
+            case.workpiece,
+            case.cut_speed,
+            case.travel_ratio,
+            case.window_ratio,
+        )
 
-    return [cut for cut in cuts if scheme(cut) == most_common(cuts, scheme)]
+    schemes = [scheme(cut) for cut in cuts]
+    commonest = Counter(schemes).most_common(1)
+    return [cut for cut, one in zip(cuts, schemes, strict=True) if one == commonest[0][0]]
 
 
-def most_common(cuts: Sequence[Cut], scheme: Callable[[Cut], tuple]) -> tuple:
-    """The commonest value of what a function says of cuts; of equal ones the first."""
-    return Counter(scheme(cut) for cut in cuts).most_common(1)[0][0]
+def usual(cuts: Sequence[Cut]) -> list[Cut]:
+    """Cuts that are computed as most of them are, at the finest resolution that is common.
+
+    Common is a resolution of at least half as many cuts as the commonest has: a study may run all of its cuts at two
+    resolutions, and some at many more.
+    """
+    same = alike(cuts)
+    counts = Counter(cut.points for cut in same)
+    points = max((n for n, count in counts.items() if 2 * count >= max(counts.values())), default=0)
+    return [cut for cut in same if cut.points == points]
+
+
+def at_zero_size(cuts: Sequence[Cut]) -> list[Cut]:
+    """Usual cuts as they would be at zero particle size, from straight lines over particle size.
+
+    Cuts are left out that were made at one resolution only, and those whose regime hangs on the resolution.
+
+    Returns
+    -------
+    list of Cut
+        With force and rubbing force at zero particle size, and the standard error of that force.
+    """
+    found = []
+    for cut, group in _families(cuts):
+        if len(group) < 2 or any(other.touching != cut.touching for other in group):
+            continue
+        sizes = [1.0 / other.points for other in group]
+        force = extrapolate(sizes, [other.force for other in group], [other.error for other in group])
+        rubbing = extrapolate(sizes, [other.rubbing for other in group], [other.rubbing_error for other in group])
+        found.append(replace(cut, force=force.limit, error=force.error, rubbing=max(rubbing.limit, 0.0)))
+    return found
+
+
+def hanging(cuts: Sequence[Cut]) -> list[Cut]:
+    """Usual cuts whose regime is another one at another resolution."""
+    return [cut for cut, group in _families(cuts) if any(other.touching != cut.touching for other in group)]
+
+
+def _families(cuts: Sequence[Cut]) -> list[tuple[Cut, list[Cut]]]:
+    """Usual cuts, each with the cuts that differ from it in resolution alone, itself among them."""
+    groups: dict[tuple, list[Cut]] = {}
+    for cut in alike(cuts):
+        groups.setdefault(_but_resolution(cut), []).append(cut)
+    return [(cut, groups[_but_resolution(cut)]) for cut in usual(cuts)]
+
+
+def _but_resolution(cut: Cut) -> tuple:
+    fields = parameters(cut.case)
+    del fields["points_per_depth"]
+    return tuple(sorted(fields.items()))
 
 
 def select(

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from orthocut.figures.canvas import PAGE, nothing, page, styled, values
+from orthocut.figures.discretisation import finest
 from orthocut.figures.regimes import transition
 from orthocut.figures.scene import draw_tool, frame, last_snapshot, parallelograms
 from orthocut.figures.snapshots import with_points
@@ -37,7 +38,7 @@ REACH = 2.2
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """Two panels, or one where all runs are of one regime."""
-    runs = _either_side(with_points(dataset))
+    runs = _either_side(with_points(finest(dataset)))
     if not runs:
         figure = page(2.0)
         nothing(figure.subplots())

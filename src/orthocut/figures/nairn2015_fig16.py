@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from orthocut.figures.canvas import cases, nothing, page, styled, values
+from orthocut.figures.canvas import cases, nothing, page, shown, styled, values
+from orthocut.figures.discretisation import DIFFERS, finest
 from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import touches
-from orthocut.figures.symbols import columns_of_handles, state_handles
+from orthocut.figures.symbols import columns_of_handles, draw_discretisation, resolution_handles, state_handles
 from orthocut.io.collect import case_of
 from orthocut.theory.forces import thrust_ratio
 
@@ -19,7 +22,9 @@ CAPTION = (
     "Nairn (2015), Fig. 16: all perfectly plastic runs of Figs 8 and 11. Open symbols: the tool touches the crack tip; "
     "filled: the chip bends. Circles: rake angle varied, without friction; diamonds: with friction. The paper has more "
     "than 90 % (line) wherever the chip bends, and touching runs that fall with the ratio. Crosses on the axis: failed "
-    "runs. Each symbol is a mean over the interface that failed in the window."
+    "runs. Each symbol is a mean over the interface that failed in the window. Thin lines that end in a tick: from the "
+    "finest resolution to zero particle size, on a straight line over particle size; ringed: the coarser run is of the "
+    "other regime."
 )
 DIMS = ()
 PAPER = 90.0
@@ -33,6 +38,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax = figure.subplots()
     ax.set_xlabel(r"$Z = \tan(\arctan\mu - \alpha)$ [-]")
     ax.set_ylabel("fraction of mode I $J_I/J_c$ [%]")
+    dataset = finest(dataset, "mode_one_fraction")
     runs = cases(dataset, "mode_one_fraction", kind="mpm_cutting")
     tools = [case_of(run).tool for run in failed(dataset, "mpm_cutting")]
     mark(ax, [thrust_ratio(tool.rake_angle, tool.friction) for tool in tools])
@@ -46,6 +52,8 @@ def draw(dataset: xr.Dataset) -> Figure:
         colour = (SERIES * 9)[strengths.index(case_of(run).interface.strength)]
         ratio, fraction = thrust_ratio(tool.rake_angle, tool.friction), float(values(run, "mode_one_fraction"))
         ax.plot(ratio, fraction, "D" if tool.friction else "o", color=colour, mfc="white" if touches(run) else colour)
+        limit = float(shown("mode_one_fraction", run["mode_one_fraction_limit"])) if DIFFERS in run else math.nan
+        draw_discretisation(ax, run, ratio, fraction, limit, colour)
     ax.axhline(PAPER, color="0.6", lw=0.7, zorder=1)
     lowest = min(float(values(run, "mode_one_fraction")) for run in runs)
     ax.set_ylim(50 if lowest > 55 else 0, 105)
@@ -53,7 +61,8 @@ def draw(dataset: xr.Dataset) -> Figure:
         Line2D([], [], color="0.25", marker=marker, ls="", label=text)
         for marker, text in (("o", "without friction"), ("D", "with friction"))
     ]
-    columns = [state_handles("touching", "bending"), kinds]
+    coarser = resolution_handles(dataset)
+    columns = [state_handles("touching", "bending") + coarser[:1], kinds + coarser[1:]]
     if len(strengths) > 1:
         columns.append(
             [

@@ -22,7 +22,8 @@ class Finding(NamedTuple):
     error: float
     """Deviation from the paper's value [%]; NaN where the claim is no number."""
     verdict: str
-    """Reproduced; not reproduced; artefact: seen at this resolution, but not at zero particle size."""
+    """Reproduced (at zero particle size, where that is known of most cuts); not reproduced; artefact: seen at this
+    resolution, but not at zero particle size."""
     evidence: str
     """Which cuts, which rule."""
 
@@ -30,9 +31,26 @@ class Finding(NamedTuple):
 Rule = Callable[[Sequence[Cut]], Finding | None]
 
 
-def verdict(holds: bool, converged: bool = True) -> str:
-    """Verdict on a claim that holds or not, and that holds at zero particle size or not."""
-    return (REPRODUCED if converged else ARTEFACT) if holds else NOT_REPRODUCED
+def verdict(holds: bool, converged: bool = True, alone: bool = False) -> str:
+    """Verdict on a claim.
+
+    Parameters
+    ----------
+    holds : bool
+        Whether it holds at the resolution of most cuts.
+    converged : bool
+        Whether it holds at zero particle size.
+    alone : bool
+        Whether zero particle size decides alone, as the limits of most cuts are known; otherwise both must hold.
+    """
+    if converged and (holds or alone):
+        return REPRODUCED
+    return ARTEFACT if holds else NOT_REPRODUCED
+
+
+def most_known(limits: Sequence[Cut], cuts: Sequence[Cut]) -> bool:
+    """Whether the limits at zero particle size are known of at least half of some cuts."""
+    return bool(limits) and 2 * len(limits) >= len(cuts)
 
 
 def known(number: float) -> float:
@@ -60,7 +78,7 @@ def fits(cuts: Sequence[Cut]) -> list[tuple[list[Cut], Fit]]:
     """Straight fits over particle size of all groups of three sizes or more, by scheme."""
     found = []
     for group in along(cuts, "points_per_depth", least=3):
-        sizes = [1 / cut.case.numerics.points_per_depth for cut in group]
+        sizes = [1 / cut.points for cut in group]
         found.append((group, extrapolate(sizes, [cut.force for cut in group], [cut.error for cut in group])))
     return sorted(found, key=lambda pair: (pair[0][0].case.numerics.affine, pair[0][0].depth))
 

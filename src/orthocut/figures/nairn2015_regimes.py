@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import PAGE, cases, nothing, page, styled
+from orthocut.figures.discretisation import finest
 from orthocut.figures.holes import GREY, failed
 from orthocut.figures.palette import BLUE, ORANGE
 from orthocut.figures.regimes import NOTCH_LONG, transition
@@ -49,6 +50,7 @@ def start_of(case: MpmCutting) -> str:
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """Two panels: depth of cut over rake angle and over tangent modulus."""
+    dataset = finest(dataset)
     figure = page(3.9, PAGE)
     panels = figure.subplots(1, 2, sharey=True)
     done = [(case_of(run), touches(run)) for run in cases(dataset, "touching", kind="mpm_cutting")]
@@ -70,7 +72,7 @@ def tabulate(dataset: xr.Dataset) -> Table:
     header = ["rake angle [deg]", "tangent modulus [MPa]", "start", "deepest touching [mm]", "shallowest bending [mm]"]
     header += ["runs of the other regime", "depths at which the start decides"]
     columns: dict[tuple[float, float], dict[str, dict[float, bool]]] = defaultdict(lambda: defaultdict(dict))
-    done = [(case_of(run), touches(run)) for run in cases(dataset, "touching", kind="mpm_cutting")]
+    done = [(case_of(run), touches(run)) for run in cases(finest(dataset), "touching", kind="mpm_cutting")]
     for case, touching in [item for part in _sorted_out(done) for item in part]:
         columns[_rake(case), _tangent(case)][start_of(case)][1e3 * case.cut_depth] = touching
     rows = []

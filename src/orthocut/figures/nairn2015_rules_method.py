@@ -14,7 +14,7 @@ PAPER_STEADY = 5.6
 
 def force_does_not_depend_on_base(cuts: Sequence[Cut]) -> Finding | None:
     """Forces of bases of 3 depths of cut or more agree with that of the deepest: within 3 %, or two standard errors."""
-    for group in along(cuts, "base_ratio", least=3):
+    for group in sorted(along(cuts, "base_ratio", least=3), key=lambda group: -group[0].points):
         *others, last = group
         deep = [cut for cut in others if cut.case.workpiece.base_ratio >= 3]
         if deep:
@@ -43,7 +43,7 @@ def force_declines_with_size(cuts: Sequence[Cut]) -> Finding | None:
         for runs, one in groups
     )
     first, last = group[0], group[-1]
-    points = f"{first.case.numerics.points_per_depth} to {last.case.numerics.points_per_depth} points"
+    points = f"{first.points} to {last.points} points"
     return Finding(
         f"{first.force:.2f} to {last.force:.2f} bGc from {points}, PIC",
         math.nan,
@@ -57,8 +57,8 @@ def transfers_do_not_change_the_force(cuts: Sequence[Cut]) -> Finding | None:
     pairs = [(group[0], group[-1]) for group in along(cuts, "affine") if group[0].case.numerics.affine == 0]
     if not pairs:
         return None
-    usual_points = usual(cuts)[0].case.numerics.points_per_depth
-    near = [pair for pair in pairs if pair[0].case.numerics.points_per_depth == usual_points] or pairs
+    usual_points = usual(cuts)[0].points
+    near = [pair for pair in pairs if pair[0].points == usual_points] or pairs
     changes = [pic.force / other.force - 1 for pic, other in near]
     compared = {(pic.depth, pic.case.material) for pic, _ in pairs}
     limits = "; ".join(
@@ -81,7 +81,7 @@ def steady_from_four_ms(cuts: Sequence[Cut]) -> Finding | None:
     there = [cut for cut in select(cuts, tangent=100) if math.isclose(cut.depth, 0.9e-3) and math.isfinite(cut.steady)]
     if not there:
         return None
-    cut = min(there, key=lambda cut: (abs(cut.case.cut_speed - 2.0), -cut.case.numerics.points_per_depth))
+    cut = min(there, key=lambda cut: (abs(cut.case.cut_speed - 2.0), -cut.points))
     ratio = cut.steady / PAPER_STEADY
     return Finding(
         f"from {cut.steady:.1f} depths of cut at {cut.case.cut_speed:g} m/s",

@@ -21,9 +21,9 @@ from orthocut.io.collect import case_of
 CAPTION = (
     "Depth of cut between the deepest run that touches the crack tip and the shallowest that bends, over particle "
     "size. Bars: from the one to the other; arrows: one regime only, the transition lies beyond. Dashed: straight fit "
-    "through three sizes or more; diamond: its end at size zero, with standard error. Dotted: the paper, 2.0-2.1 mm at "
-    "a rake angle of 30° with 15 points through the chip, perfectly plastic and without friction. Crosses on the axis: "
-    "failed runs."
+    "through three sizes or more, each known to its interval over the square root of twelve; diamond: its end at size "
+    "zero, with standard error. Dotted: the paper, 2.0-2.1 mm at a rake angle of 30° with 15 points through the chip, "
+    "perfectly plastic and without friction. Crosses on the axis: failed runs."
 )
 DIMS = ()
 PAPER = 2.05e-3
@@ -76,7 +76,7 @@ def draw(dataset: xr.Dataset) -> Figure:
             fit = extrapolate(
                 list(known),
                 [1e3 * one.middle for one in known.values()],
-                [1e3 * one.half_width for one in known.values()],
+                [1e3 * one.standard_error for one in known.values()],
             )
             ends = [0.0, max(known)]
             ax.plot(ends, fit.at(ends), "--", color=colour, lw=0.8)

@@ -32,8 +32,13 @@ class Transition(NamedTuple):
 
     @property
     def half_width(self) -> float:
-        """Half of the interval, the error of the middle [m]; NaN where only one regime is there."""
+        """Half of the interval [m]; NaN where only one regime is there."""
         return 0.5 * (self.high - self.low) if self.found else math.nan
+
+    @property
+    def standard_error(self) -> float:
+        """Standard deviation of a depth that may be anywhere in the interval with the same chance [m]."""
+        return self.half_width / math.sqrt(3.0)
 
 
 def transition(cuts: Sequence[tuple[float, bool]]) -> Transition:

@@ -8,9 +8,14 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from orthocut.figures.discretisation import hangs_on_resolution, has_partners
 from orthocut.figures.sweep import over_toughness, touches
 
 GREY = "0.25"
+LIMIT = {"lw": 0.6, "alpha": 0.7, "zorder": 2.5}
+"""Line from a symbol to the value at zero particle size, and the tick at its end."""
+RING = {"marker": "o", "ms": 6.5, "mfc": "none", "mew": 0.6, "ls": ""}
+"""Ring around a symbol whose regime hangs on the resolution."""
 
 
 def draw_run(ax: Axes, run: xr.Dataset, x: float, y: float, error: float, colour: str, marker: str = "o", **style):
@@ -34,6 +39,24 @@ def draw_force(ax: Axes, run: xr.Dataset, x: float, colour: str, marker: str = "
     if math.isfinite(drift):
         ax.vlines(x, force - drift, force + drift, color=colour, alpha=0.25, lw=3, zorder=2)
     draw_run(ax, run, x, force, over_toughness(run, "force_cutting_error"), colour, marker, **style)
+    draw_discretisation(ax, run, x, force, over_toughness(run, "force_cutting_mean_limit"), colour)
+
+
+def draw_discretisation(ax: Axes, run: xr.Dataset, x: float, y: float, limit: float, colour: str) -> None:
+    """Thin line from a symbol to the value at zero particle size, or a ring where the regime hangs on the resolution.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        A run out of what `orthocut.figures.discretisation.finest` gives.
+    x, y, limit : float
+        Place of the symbol and end of the line, in units of the axes; no line where the limit is NaN.
+    """
+    if math.isfinite(limit):
+        ax.vlines(x, y, limit, color=colour, **LIMIT)
+        ax.plot(x, limit, "_", color=colour, ms=7, mew=0.7, **LIMIT)
+    if hangs_on_resolution(run):
+        ax.plot(x, y, color=colour, zorder=4, **RING)
 
 
 def draw_limit(ax: Axes, limit: float, error: float, colour: str) -> None:
@@ -49,6 +72,15 @@ def state_handles(touching: str = "run, touching", bending: str = "run, bending"
         Line2D([], [], color=GREY, marker="o", mfc=face, ls="", label=text)
         for face, text in (("white", touching), (GREY, bending))
     ]
+
+
+def resolution_handles(dataset: xr.Dataset) -> list[Line2D]:
+    """Entries of a legend for what coarser runs tell of those that `finest` gives; none where there are none."""
+    if not has_partners(dataset):
+        return []
+    line = Line2D([], [], color=GREY, marker="|", ms=5, mew=0.7, label="to zero particle size", **LIMIT)
+    ring = Line2D([], [], color=GREY, label="other regime when coarser", **RING)
+    return [line, ring]
 
 
 def columns_of_handles(*columns: list[Line2D]) -> list[Line2D]:

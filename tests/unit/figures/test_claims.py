@@ -14,7 +14,7 @@ from orthocut.figures import nairn2015_rules_transition as transition
 from orthocut.figures import nairn2015_rules_zone as zone
 from orthocut.figures import registry
 from orthocut.figures.nairn2015_claims import CLAIMS
-from orthocut.figures.nairn2015_cuts import Cut, condense, cuts_of, usual
+from orthocut.figures.nairn2015_cuts import Cut, at_zero_size, condense, cuts_of, hanging, usual
 from orthocut.figures.nairn2015_finding import (
     ARTEFACT,
     NOT_REPRODUCED,
@@ -96,7 +96,7 @@ def test_one_bad_touching_cut_is_enough_and_is_named():
     good = like(force_touching, 1.0, *series(9, (0.5, 1, 1.5)))
     found = touching.touching_agrees_without_friction([*good, *like(force_touching, 1.3, cut(2, touching=True))])
     assert found.verdict == NOT_REPRODUCED
-    assert "largest at 2 mm and 30°" in found.evidence
+    assert "largest +30.0% ± 0.1% at 2 mm and 30°" in found.evidence
 
 
 def test_agreement_that_vanishes_with_particle_size_is_an_artefact():
@@ -124,20 +124,36 @@ def test_mode_over_thrust_ratio(slope, wanted):
     assert verdict(touching.touching_mode_falls_with_thrust_ratio, cuts[:5]) == NOT_TESTED
 
 
+@pytest.mark.parametrize(
+    ("limit", "slope", "wanted"), [(2.05, -5, REPRODUCED), (1.55, -5, NOT_REPRODUCED), (1.0, 8.4, ARTEFACT)]
+)
+def test_transition_is_judged_at_zero_particle_size(limit, slope, wanted):
+    """Two sizes with many depths, of which the finer one is the usual one, and two with a few around the transition."""
+    depths = [0.1 * step for step in range(5, 32)]
+    changes = {n: limit + slope / n for n in (5, 8, 12, 16)}
+    near = {n: [depth for depth in depths if abs(depth - change) < 0.35] for n, change in changes.items()}
+    cuts = [one for n in changes for one in series(changes[n], depths if n < 10 else near[n], points_per_depth=n)]
+    found = transition.transition_at_thirty_degrees(cuts)
+    assert found.verdict == wanted
+    assert found.error == pytest.approx(100 * (limit / 2.05 - 1), abs=5)
+    assert "mm at 8 points" in found.ours
+    assert "mm at 5 points" in found.evidence
+
+
+def test_transition_whose_limit_is_vague_is_judged_at_the_usual_resolution():
+    wide = [one for n in (5, 6, 8) for one in series(0.5, (0.5, 3.5), points_per_depth=n)]
+    wide += [cut(5, points_per_depth=n) for n in (5, 6, 8)]
+    found = transition.transition_at_thirty_degrees(wide)
+    assert "no limit at zero particle size is known to 15 %" in found.evidence
+    assert "at zero size" not in found.ours
+
+
 @pytest.mark.parametrize(("change", "wanted"), [(2.0, REPRODUCED), (1.0, NOT_REPRODUCED)])
 def test_transition_depth(change, wanted):
     found = transition.transition_at_thirty_degrees(series(change))
     assert found.verdict == wanted
     low, high = change, DEPTHS[DEPTHS.index(change) + 1]
     assert found.error == pytest.approx(100 * (0.5 * (low + high) / 2.05 - 1))
-
-
-def test_transition_that_moves_away_with_particle_size_is_an_artefact():
-    finer = [one for n, change in ((12, 1.0), (16, 0.5)) for one in series(change, points_per_depth=n)]
-    coarse = series(2.0, points_per_depth=8, depths=(*DEPTHS, 7))
-    found = transition.transition_at_thirty_degrees(coarse + finer)
-    assert found.verdict == ARTEFACT
-    assert "mm at 16 points" in found.evidence
 
 
 def test_transition_names_what_a_long_notch_gives():
@@ -256,6 +272,86 @@ def test_usual_cuts_leave_out_other_schemes():
     assert usual(cuts) == cuts[: len(DEPTHS)]
 
 
+def test_usual_cuts_are_the_finest_of_two_common_resolutions():
+    coarse, fine = (series(2.0, points_per_depth=n) for n in (5, 8))
+    assert usual([*coarse, cut(4, points_per_depth=5), *fine, *series(2.0, DEPTHS[:2], points_per_depth=12)]) == fine
+
+
+@pytest.mark.parametrize(
+    ("rule", "friction"),
+    [(touching.touching_agrees_without_friction, 0), (touching.touching_agrees_with_friction, 0.3)],
+)
+@pytest.mark.parametrize(
+    ("here", "limit", "wanted"),
+    [(0.95, 1.05, REPRODUCED), (0.85, 1.05, REPRODUCED), (0.95, 1.2, ARTEFACT), (0.85, 1.2, NOT_REPRODUCED)],
+)
+def test_touching_forces_are_judged_at_zero_particle_size(rule, friction, here, limit, wanted):
+    cuts = [
+        like(force_touching, ratio, *series(9, (0.5, 1, 2), friction=friction, points_per_depth=n))
+        for n, ratio in ((5, limit + (here - limit) * 8 / 5), (8, here))
+    ]
+    found = rule([one for group in cuts for one in group])
+    assert found.verdict == wanted
+    assert found.error == pytest.approx(100 * (limit - 1))
+    assert f"3 touching cuts at 8 points against eq. ({15 - bool(friction)})" in found.evidence
+    assert f"mean {here - 1:+.1%}" in found.evidence
+    assert "median standard error of an extrapolation" in found.evidence
+
+
+def test_cuts_whose_regime_hangs_on_resolution_have_no_limit():
+    coarse, fine = series(1.0, points_per_depth=5), series(2.0, points_per_depth=8)
+    assert [one.depth for one in hanging(coarse + fine)] == pytest.approx([1.5e-3, 2e-3])
+    assert len(at_zero_size(coarse + fine)) == len(DEPTHS) - 2
+    evidence = touching.touching_agrees_without_friction(coarse + fine).evidence
+    assert "2 of the touching cuts bend at another resolution" in evidence
+
+
+def test_limits_of_force_and_rubbing_take_the_straight_line():
+    pair = [cut(points_per_depth=n, force=3 + 4 / n, rubbing=1 - 2 / n) for n in (5, 8)]
+    one = at_zero_size(pair)[0]
+    assert (one.points, one.force, one.rubbing) == (8, pytest.approx(3.0), pytest.approx(1.0))
+    assert one.error == pytest.approx(math.hypot(0.0175 * 8 / 3, 0.019 * 5 / 3), rel=1e-6)
+
+
+@pytest.mark.parametrize(("weak", "wanted"), [(1.1, REPRODUCED), (1.6, ARTEFACT)])
+def test_fit_of_weak_bending_is_judged_at_zero_particle_size(weak, wanted):
+    cuts = [
+        one
+        for n in (5, 8)
+        for one in (
+            *like(force_bending, 1.4, cut(3, points_per_depth=n)),
+            *like(force_bending, weak + (1.2 - weak) * 8 / n, cut(3, strength="10 MPa", points_per_depth=n)),
+        )
+    ]
+    assert verdict(zone.weak_interface_fits_bending_better, cuts) == wanted
+
+
+@pytest.mark.parametrize(("limit", "wanted"), [(1.2, REPRODUCED), (1.01, ARTEFACT)])
+def test_cohesive_law_is_judged_at_zero_particle_size(limit, wanted):
+    cuts = [
+        one
+        for n in (5, 8)
+        for one in (
+            cut(3, 4.0, 100, points_per_depth=n),
+            cut(3, 4.0 * (limit + (1.2 - limit) * 8 / n), 100, points_per_depth=n, law="triangular"),
+        )
+    ]
+    assert verdict(zone.law_changes_the_force, cuts) == wanted
+
+
+@pytest.mark.parametrize(("limit", "wanted"), [(1.5, REPRODUCED), (0.9, ARTEFACT)])
+def test_excess_over_bending_is_judged_at_zero_particle_size(limit, wanted):
+    def printed(one):
+        return force_bending(one, "paper")
+
+    cuts = [
+        one
+        for n in (5, 8)
+        for one in like(printed, limit + (1.5 - limit) * 8 / n, *series(0, tangent=100, points_per_depth=n))
+    ]
+    assert verdict(bending.forces_exceed_bending_by_10_to_90_percent, cuts) == wanted
+
+
 def sheared(strain):
     run = mpm_run(snapshots=2, modulus_tangent="100 MPa", **{"numerics.points_per_depth": 3})
     run["point_deformation"][-1, :, :] = np.array([1.0, strain, 0.0, 1.0])
@@ -283,7 +379,7 @@ def test_table_has_a_row_a_claim_and_names_figures_that_exist():
     assert [row[0] for row in table.rows] == [claim.text for claim in CLAIMS]
     assert table.header == ["claim", "source", "paper value", "ours", "error [%]", "verdict", "evidence"]
     rows = {row[0]: row for row in table.rows}
-    assert rows["transition at 30°"][3] == "2-2.1 mm"
+    assert rows["transition at 30°"][3] == "2-2.1 mm at 4 points"
     assert rows["transition at 30°"][5] == REPRODUCED
     assert rows["always bending at 100 MPa"][5:] == [NOT_TESTED, "runs are missing"]
     for row in table.rows:

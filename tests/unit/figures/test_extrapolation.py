@@ -37,6 +37,11 @@ def test_unknown_and_tiny_errors_count_as_half_a_percent():
     assert extrapolate(SIZES, values, [np.nan, 0.0, 1e-9]) == wanted
 
 
+def test_values_of_nothing_are_fitted_too():
+    assert extrapolate(SIZES, [0.0, 0.0, 0.0], [np.nan] * 3).limit == 0.0
+    assert extrapolate(SIZES[:2], [0.0, 3.0], [np.nan, np.nan]).limit == pytest.approx(8.0)
+
+
 def test_two_sizes_leave_no_misfit_and_one_is_refused():
     assert np.isnan(extrapolate(SIZES[:2], [3.8, 3.5], [0.1, 0.1]).misfit)
     with pytest.raises(ValueError, match="two or more"):

@@ -19,7 +19,7 @@ SWEEPS = {f"nairn2015_fig{number}" for number in ("08", 10, 11, 12, 13, 14, 15, 
 ALONE = {f"nairn2015_fig{number}" for number in ("02", "04", "05", 17)} | {"energy_balance", "show"}
 DISTINCT = list({module: name for name, module in reversed(registry.FIGURES.items())}.values())
 """One figure of each module."""
-UNITLESS = {"depth of cut, surface", "claim of the paper"}
+UNITLESS = {"depth of cut, surface", "claim of the paper", "cut"}
 
 
 def runs_for(name):
@@ -45,6 +45,16 @@ def runs_for(name):
             for points in (4, 6, 9)
             for field, value in (("affine", 0), ("affine", 0.9), ("courant", 0.2), ("cut_speed", "2 m/s"))
         ]
+    if name == "nairn2015_touching":
+        return [
+            mpm_run(snapshots=0, touching=1, rake_angle=rake, friction=friction, points_per_depth=n)
+            for rake in ("15 deg", "30 deg", "45 deg")
+            for friction in (0, 0.3)
+            for n in (4, 6, 9)
+        ]
+    if name == "nairn2015_robustness":
+        extremes = ({}, {"cut_depth": "10 mm"}, {"rake_angle": "-30 deg"}, {"friction": 1}, {"strength": "160 MPa"})
+        return [registry.condense(name)(mpm_run(snapshots=0, **extreme)) for extreme in extremes]
     if name == "nairn2015_fig03b":
         return [mpm_run(snapshots=0, force=5e3 + 9e3 / n, **{"numerics.points_per_depth": n}) for n in (4, 6, 9)]
     if name in SWEEPS:

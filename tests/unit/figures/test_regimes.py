@@ -13,6 +13,7 @@ def test_lies_between_neighbours():
     assert found.found
     assert found.middle == pytest.approx(2.05e-3)
     assert found.half_width == pytest.approx(0.05e-3)
+    assert found.standard_error == pytest.approx(0.1e-3 / math.sqrt(12))
 
 
 @pytest.mark.parametrize(("touching", "low", "high"), [(True, 2e-3, math.inf), (False, 0.0, 1e-3)])
