@@ -1,4 +1,4 @@
-"""Discretisation error of ductile cuts: force over particle size, time step and tool speed, with extrapolations."""
+"""Numerical error of ductile cuts: force over particle size, transfers, time step, speed, rest and damping."""
 
 from __future__ import annotations
 
@@ -19,31 +19,41 @@ from orthocut.io.collect import case_of
 from orthocut.theory import bending, touching
 
 CAPTION = (
-    "Cutting force over particle size, over the Courant number, to which the time step is proportional, and over the "
-    "speed of the tool; runs of a series differ in nothing else. Colours: depths of cut and materials; symbols: "
-    "schemes. Open: the tool touches the crack tip. Bars: standard error of the mean; pale bars: half of the drift "
-    "over the window to either side. Left: weighted least-squares fits of a limit plus slope times size, dashed, and "
-    "times its square, dotted, with the limits (diamonds) and their standard errors; how far both limits lie apart "
-    "says how much the assumed order matters. No support: nodes of little mass move on their own, as in the paper; "
-    "dissipated, coupled: other criteria of failure than the paper's. Crosses on the axis: failed runs. The table "
-    "lists all fits beside the models."
+    "Cutting force over particle size; over the share of the velocity gradient that points hand on (0 is PIC, 1 "
+    "APIC) and, with the loop of the paper's program, over the share of their own velocity that they keep (0 is "
+    "PIC, 1 FLIP); over the Courant number, to which the time step is proportional; over the speed of the tool; "
+    "over the distance ahead of the tool, in depths of cut, beyond which material rests (at 0 all of it moves); and"
+    " over the gain of the feedback damping while the tool speeds up. Runs of a series differ in nothing else. "
+    "Colours: depths of cut and materials; symbols: schemes. Open: the tool touches the crack tip. Bars: standard "
+    "error of the mean; pale bars: half of the drift over the window to either side. Over particle size: weighted "
+    "least-squares fits of a limit plus slope times size, dashed, and times its square, dotted, with the limits "
+    "(diamonds) and their standard errors; how far both limits lie apart says how much the assumed order matters. "
+    "No support: nodes of little mass move on their own, as in the paper; dissipated, coupled: other criteria of "
+    "failure than the paper's. Crosses on the axis: failed runs. The table lists all fits beside the models."
 )
 DIMS = ()
 PANELS = (
     ("points_per_depth", "particle size over depth of cut $1/n$ [-]", 3),
+    ("affine", "share of the gradient [-]", 3),
+    ("flip", "share of FLIP [-]", 3),
     ("courant", "Courant number $C$ [-]", 2),
-    ("cut_speed", "speed of the tool $v$ [m/s]", 2),
+    ("cut_speed", "tool speed $v$ [m/s]", 2),
+    ("reach_ratio", "reach of what moves [-]", 3),
+    ("ramp_feedback", "feedback [mm$^{-2}$]", 3),
 )
+"""Fields, labels and the least number of values of a series."""
+PLACES = "AABC\nDEFG"
 MARKERS = "osD^vPX"
 POWERS = ((1.0, "--"), (2.0, ":"))
 
 
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
-    """One panel for each field: size, time step, speed."""
-    figure = page(3.4, PAGE)
-    panels = figure.subplots(1, len(PANELS), sharey=True)
-    panels[0].set_ylabel("force $F_c/(bG_c)$ [-]")
+    """One panel for each field."""
+    figure = page(5.6, PAGE)
+    panels = list(figure.subplot_mosaic(PLACES, sharey=True).values())
+    for ax in (panels[0], panels[3]):
+        ax.set_ylabel("force $F_c/(bG_c)$ [-]")
     scenes: list[tuple] = []
     handles: dict[str, object] = {}
     for ax, (field, text, least) in zip(panels, PANELS, strict=True):

@@ -7,7 +7,7 @@ import hashlib
 import io
 import json
 import tokenize
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -15,7 +15,6 @@ from pathlib import Path
 from orthocut.params.block import Block
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_METHODS = ("mpm", "dem")
 _NUMBERS = ("kernels", "mpm", "dem", "experiments", "measure", "params")
 _PICTURES = ("figures", "theory", "params", "variables.py")
 _DATASETS = ("io", "variables.py")
@@ -42,23 +41,34 @@ def result_key(case: Block) -> str:
     return f"{case_id(case)}-{digest_numbers(case.kind)[:8]}"
 
 
-def sources(kind: str) -> Iterator[Path]:
-    """Files that can change the numbers of a kind of case, sorted.
+def sources(kind: str) -> list[Path]:
+    """Files that can change the numbers of a kind of case, sorted: its experiment and what that imports.
 
-    Left out are the files of the other method, the benchmarks of speed, and the files that only turn what a user
-    writes into a case: a case in SI units is already part of a result's identity.
+    Left out are files of other parts of the package, such as readers and writers of results, and the files that only
+    turn what a user writes into a case: a case in SI units is already part of a result's identity.
 
     Parameters
     ----------
     kind : str
-        Such as ``mpm_cutting``; its first word is the method.
+        Such as ``mpm_cutting``, or a method, such as ``mpm``, for all of its kinds.
     """
-    others = set(_METHODS) - {kind.split("_")[0]}
-    for file in _files(_NUMBERS):
-        path = file.relative_to(_PACKAGE)
-        words = {part.removesuffix(".py").split("_")[0] for part in path.parts}
-        if not words & {*others, "speed"}:
-            yield file
+    numbers = set(_files(_NUMBERS))
+    found: set[Path] = set()
+    waiting = sorted((_PACKAGE / "experiments").glob(f"{kind}*.py"))
+    while waiting:
+        file = waiting.pop()
+        found.add(file)
+        waiting += [other for other in _imports(file) if other in numbers and other not in found]
+    return sorted(found)
+
+
+def _imports(file: Path) -> Iterator[Path]:
+    """Files of the package that a file imports."""
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("orthocut."):
+            path = _PACKAGE.joinpath(*node.module.split(".")[1:])
+            yield path.with_suffix(".py")
+            yield from (path / f"{name.name}.py" for name in node.names)
 
 
 @cache
@@ -94,7 +104,7 @@ def _files(parts: tuple[str, ...]) -> Iterator[Path]:
         yield from (file for file in found if part != "params" or file.stem not in _INPUT_ONLY)
 
 
-def _digest(files: Iterator[Path], libraries: str) -> str:
+def _digest(files: Iterable[Path], libraries: str) -> str:
     sha = hashlib.sha256(libraries.encode() + b"\0")
     for file in files:
         text = file.read_text(encoding="utf-8")
@@ -103,6 +113,7 @@ def _digest(files: Iterator[Path], libraries: str) -> str:
     return sha.hexdigest()[:16]
 
 
+@cache
 def bare(source: str) -> str:
     """Python source without comments, docstrings and empty lines: what is left can change numbers."""
     lines = source.splitlines()

@@ -4,20 +4,42 @@ import pytest
 
 from orthocut.params import identity
 
+FILES = {
+    "kernels/jit.py": "",
+    "kernels/laws/law.py": "from orthocut.kernels.jit import part\n",
+    "kernels/laws/joint.py": "from orthocut.kernels.jit import part\n",
+    "kernels/mpm/grid.py": "from orthocut.kernels.laws.law import law\nfrom orthocut.kernels.jit import jit\n",
+    "kernels/dem/bonds.py": "from orthocut.kernels.laws import joint, law\n",
+    "mpm/solver.py": "from orthocut.kernels.mpm import grid\n",
+    "dem/solver.py": "from orthocut.kernels.dem import bonds\n",
+    "experiments/mpm_cutting.py": "from orthocut.measure import steady\nfrom orthocut.mpm.solver import Solver\n"
+    "from orthocut.params.mpm import Case\nfrom orthocut.io.files import write\n",
+    "experiments/dem_cutting.py": "from orthocut.experiments.dem_run import run\nfrom orthocut.measure import steady\n",
+    "experiments/dem_tension.py": "from orthocut.experiments.dem_run import run\n",
+    "experiments/dem_run.py": "from orthocut.dem.solver import Solver\nfrom orthocut.params.tool import Tool\n",
+    "experiments/speed_mpm.py": "from orthocut.mpm.solver import Solver\n",
+    "measure/steady.py": "",
+    "params/tool.py": "from orthocut.params.block import Block\n",
+    "params/mpm.py": "from orthocut.params.tool import Tool\n",
+    "params/block.py": "",
+    "params/study.py": "",
+    "figures/show.py": "",
+    "figures/style.mplstyle": "",
+    "theory/beam.py": "",
+    "io/files.py": "",
+    "variables.py": "",
+    "cli/__init__.py": "",
+}
+"""A small package: files and what they import."""
+
 
 @pytest.fixture
 def package(tmp_path, monkeypatch):
-    """Return a package of empty files under which digests are taken."""
-    names = (
-        "kernels/jit.py", "kernels/laws/law.py", "kernels/mpm/grid.py", "kernels/dem/bonds.py", "mpm/solver.py",
-        "dem/solver.py", "experiments/mpm_cutting.py", "experiments/dem_cutting.py", "experiments/speed_mpm.py",
-        "measure/steady.py", "params/tool.py", "params/mpm.py", "params/study.py", "figures/show.py",
-        "figures/style.mplstyle", "theory/beam.py", "variables.py", "cli/__init__.py",
-    )  # fmt: skip
-    for name in names:
+    """Return a package under which digests are taken."""
+    for name, text in FILES.items():
         path = tmp_path / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text("")
+        path.write_text(text)
     monkeypatch.setattr(identity, "_PACKAGE", tmp_path)
     digests = (identity.digest_numbers, identity.digest_pictures)
     for digest in digests:
@@ -30,15 +52,20 @@ def package(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("name", "changes"),
     [
-        ("kernels/laws/law.py", {"mpm", "dem"}),
-        ("kernels/jit.py", {"mpm", "dem"}),
+        ("kernels/laws/law.py", {"mpm", "dem", "tension"}),
+        ("kernels/laws/joint.py", {"dem", "tension"}),
+        ("kernels/jit.py", {"mpm", "dem", "tension"}),
         ("measure/steady.py", {"mpm", "dem"}),
-        ("params/tool.py", {"mpm", "dem", "pictures"}),
+        ("params/tool.py", {"mpm", "dem", "tension", "pictures"}),
         ("kernels/mpm/grid.py", {"mpm"}),
         ("mpm/solver.py", {"mpm"}),
         ("params/mpm.py", {"mpm", "pictures"}),
         ("experiments/mpm_cutting.py", {"mpm"}),
-        ("dem/solver.py", {"dem"}),
+        ("dem/solver.py", {"dem", "tension"}),
+        ("experiments/dem_run.py", {"dem", "tension"}),
+        ("experiments/dem_tension.py", {"tension"}),
+        ("params/block.py", set()),
+        ("io/files.py", set()),
         ("experiments/dem_cutting.py", {"dem"}),
         ("figures/show.py", {"pictures"}),
         ("figures/style.mplstyle", {"pictures"}),
@@ -56,13 +83,28 @@ def test_an_edit_changes_the_digests_it_should(package, name, changes):
         return {
             "mpm": identity.digest_numbers("mpm_cutting"),
             "dem": identity.digest_numbers("dem_cutting"),
+            "tension": identity.digest_numbers("dem_tension"),
             "pictures": identity.digest_pictures(),
         }
 
     before = digests()
-    (package / name).write_text("edited = True\n")
+    (package / name).write_text(FILES[name] + "edited = True\n")
     after = digests()
     assert {key for key in before if before[key] != after[key]} == changes
+
+
+def test_a_method_is_all_of_its_kinds(package):
+    both = {*identity.sources("dem_cutting"), *identity.sources("dem_tension")}
+    assert set(identity.sources("dem")) == both
+    assert {file.name for file in identity.sources("mpm_cutting")} >= {"solver.py", "grid.py", "law.py", "jit.py"}
+
+
+def test_kernels_that_only_one_method_uses_count_for_it_alone():
+    names = {kind: {file.name for file in identity.sources(kind)} for kind in ("mpm_cutting", "dem_cutting")}
+    assert {"step.py", "rest.py", "cohesive_cubic.py", "hardening_voce.py", "jit.py"} <= names["mpm_cutting"]
+    assert {"joints.py", "flat_joint.py", "packing.py", "jit.py"} <= names["dem_cutting"]
+    assert "flat_joint.py" not in names["mpm_cutting"]
+    assert "step.py" not in names["dem_cutting"]
 
 
 def test_libraries_count(package, monkeypatch):
