@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -15,7 +17,7 @@ from orthocut.figures.sweep import over_toughness
 from orthocut.figures.symbols import draw_force, draw_limit
 from orthocut.figures.tables import Table
 from orthocut.figures.varied import series_along, value_of
-from orthocut.io.collect import case_of
+from orthocut.io.collect import case_of, parameters
 from orthocut.theory import bending, touching
 
 CAPTION = (
@@ -58,8 +60,10 @@ def draw(dataset: xr.Dataset) -> Figure:
     handles: dict[str, object] = {}
     for ax, (field, text, least) in zip(panels, PANELS, strict=True):
         ax.set_xlabel(text)
-        mark(ax, [_place(run, field) for run in failed(dataset, "mpm_cutting")])
         series = series_along(dataset, field, "force_cutting_mean", least=least)
+        others = [_others(runs[0], field) for _, runs in series]
+        missing = [run for run in failed(dataset, "mpm_cutting") if _others(run, field) in others]
+        mark(ax, [_place(run, field) for run in missing])
         if not series:
             ax.text(0.5, 0.5, "no series", transform=ax.transAxes, ha="center", color="0.5")
         used: dict[tuple, int] = {}
@@ -102,6 +106,11 @@ def _place(run: xr.Dataset, field: str) -> float:
     """Where a run stands on the axis of a field."""
     value = value_of(run, field)
     return 1.0 / value if field == "points_per_depth" else value
+
+
+def _others(run: xr.Dataset, field: str) -> dict[str, Any]:
+    """All fields of the case of a run but one."""
+    return {name: value for name, value in parameters(case_of(run)).items() if name != field}
 
 
 def _scene(run: xr.Dataset) -> tuple:
