@@ -146,6 +146,24 @@ def test_negative_rake_angle_cuts_to_the_end_with_the_chip_above_the_base():
     assert abs(closure) < 5e-3
 
 
+@pytest.mark.parametrize("speed", ["5 m/s", "1 m/s"])
+def test_thin_cut_takes_no_energy_from_contact_and_transfers(speed):
+    """A plastic cut of 0.1 mm at 15 degrees: material ploughed up between chip and tool touches both for many steps.
+
+    With loose nodes that follow the firm ones as if there were no contact, 9 % of the work comes from nowhere at
+    5 m/s, and at 1 m/s the plastic work is one and a half times the work of the tool.
+    """
+    thin = {"cut_depth": "0.1 mm", "rake_angle": "15 deg", "modulus_tangent": "0 MPa", "points_per_depth": 6}
+    run = simulate(load("mpm", {**thin, "cut_speed": speed}), snapshots=1)
+    work = float(run.work_tool[-1])
+    names = ("numerical", "contact", "plastic", "cohesive")
+    share = {name: float(run[f"energy_{name}"][-1]) / work for name in names}
+    print(f"{speed}: shares of the work {share}, closure {float(run.energy_closure):.1e}")
+    assert 0.0 < share["numerical"] + share["contact"] < 0.15
+    assert share["numerical"] > 0.0
+    assert share["plastic"] + share["cohesive"] < 1.0
+
+
 def test_stiff_interface_shortens_the_time_step():
     soft, stiff = load("mpm", SHORT), load("mpm", {**SHORT, "strength": "400 MPa", "affine": 0.0})
     assert stiff.time_step < 0.2 * soft.time_step

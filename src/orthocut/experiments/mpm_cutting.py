@@ -26,6 +26,8 @@ LEAST_WINDOW = 3.0
 """Travel over depth of cut that averages take at least before a cut ends early."""
 CLOSURE_LIMIT = 0.05
 """Share of the tool's work that may remain unaccounted for after a travel of one depth of cut; the run stops beyond."""
+GAIN_LIMIT = 0.05
+"""Share of the tool's work that transfers and contact may make, after the same travel; the run stops beyond."""
 TOUCHING_CELLS = 1.5
 """Mean distance from tool tip to crack tip below which the tool touches, in cells; contact reaches 1.25 cells ahead."""
 
@@ -195,6 +197,9 @@ def _check(solver: Solver, record: dict[str, float], case: MpmCutting) -> None:
     lost = record["energy_residual"] / record["work_tool"] if record["tool_travel"] > case.cut_depth else 0.0
     if abs(lost) > CLOSURE_LIMIT:
         raise Diverged(f"{lost:.0%} of the tool's work is not accounted for {when}; {finer}")
+    taken = (record["energy_numerical"] + record["energy_contact"]) / record["work_tool"]
+    if record["tool_travel"] > case.cut_depth and taken < -GAIN_LIMIT:
+        raise Diverged(f"transfers and contact make {-taken:.0%} of the tool's work {when}; {finer}")
 
 
 def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray], start_x: np.ndarray) -> dict[str, float]:

@@ -46,6 +46,7 @@ class Solver:
             body_sums=np.zeros((nodes, 2)),
             closing=np.zeros(nodes, dtype=np.int64),
             closing_normal=np.zeros((nodes, 2)),
+            closing_impulse=np.zeros((nodes, 2)),
             closing_slot=np.full(nodes, -1, dtype=np.int64),
             loose=np.zeros((2, nodes), dtype=np.int64),
             loose_weights=np.zeros((2, nodes, support.DIRECTIONS)),

@@ -8,6 +8,7 @@ for a tool that moves towards -x: (cos a, -sin a) for the rake face, (0, 1) for 
 import math
 
 from orthocut.kernels.jit import part
+from orthocut.kernels.mpm.grid import moving_mass
 from orthocut.kernels.mpm.layout import (
     BASE,
     BLOCK,
@@ -19,6 +20,7 @@ from orthocut.kernels.mpm.layout import (
     LANES,
     MASS,
     NM,
+    NMARK,
     NODE,
     NPX,
     NPY,
@@ -28,6 +30,7 @@ from orthocut.kernels.mpm.layout import (
     Y,
 )
 from orthocut.kernels.mpm.shape import nearest_node
+from orthocut.kernels.mpm.support import LOOSE
 
 
 @part
@@ -144,7 +147,7 @@ def mark_contact_nodes(marked, listed, points, near, near_count, body, wedge, ti
 
 @part
 def push_with_tool(grid, marked, marked_count, body, wedge, speed, frame):
-    """Exchange momentum between the tool and the marked nodes that approach it; Coulomb friction along the face.
+    """Exchange momentum between the tool and the firm marked nodes that approach it; Coulomb friction along the face.
 
     Parameters
     ----------
@@ -175,23 +178,24 @@ def push_with_tool(grid, marked, marked_count, body, wedge, speed, frame):
     for k in range(marked_count):
         at = marked[k]
         mass = grid[at + NM]
-        if mass <= frame.mass_small:
+        if mass <= frame.mass_small or grid[at + NMARK] == LOOSE:
             continue
         vx, vy = grid[at + NVX], grid[at + NVY]
         dx, dy = -speed - vx, -vy
         normal = dx * nx + dy * ny
         if normal >= 0.0:
             continue
-        jx, jy = mass * normal * nx, mass * normal * ny
+        moving = moving_mass(grid, at)
+        jx, jy = moving * normal * nx, moving * normal * ny
         start_x, start_y = grid[at + NPX] / mass, grid[at + NPY] / mass
         if friction > 0.0:
             tangent_x, tangent_y = dx - normal * nx, dy - normal * ny
             slip = math.sqrt(tangent_x * tangent_x + tangent_y * tangent_y)
             if slip > 0.0:
                 share = min(1.0, -friction * normal / slip)
-                jx += mass * share * tangent_x
-                jy += mass * share * tangent_y
-        end_x, end_y = vx + jx / mass, vy + jy / mass
+                jx += moving * share * tangent_x
+                jy += moving * share * tangent_y
+        end_x, end_y = vx + jx / moving, vy + jy / moving
         lag_x, lag_y = -speed - 0.5 * (start_x + end_x), -0.5 * (start_y + end_y)
         lag_normal = lag_x * nx + lag_y * ny
         pressed = jx * nx + jy * ny

@@ -116,6 +116,8 @@ class Workspace(NamedTuple):
     """Offsets of the nodes around closed pairs of the interface, shape (n_nodes,)."""
     closing_normal: np.ndarray
     """Sums of the normals of the pairs around those nodes, shape (n_nodes, 2)."""
+    closing_impulse: np.ndarray
+    """Impulses on the chip at those nodes, shape (n_nodes, 2)."""
     closing_slot: np.ndarray
     """Place of each node in `closing`; -1 everywhere outside of the search, shape (n_nodes,)."""
     loose: np.ndarray

@@ -15,14 +15,20 @@ def clear_grid(grid, extent, frame):
 
 
 @part
+def moving_mass(grid, at):
+    """Mass that a node moves: its own and that of the loose nodes that follow it [kg/m]."""
+    return max(grid[at + NM] + grid[at + NMARK], 0.5 * grid[at + NM])
+
+
+@part
 def update_grid(grid, extent, frame, free, damping):
     """New velocities of the nodes from momentum, force and damping; held nodes stand still.
 
     Parameters
     ----------
     grid : float array
-        Nodes of one body; velocities are set. Marks hold masses that move with the nodes beside their own, and are
-        cleared; loose nodes are left alone, see `orthocut.kernels.mpm.support`.
+        Nodes of one body; velocities are set. Marks hold masses that move with the nodes beside their
+        own; loose nodes are left alone, see `orthocut.kernels.mpm.support`.
     extent : int array, shape (4,)
         First and last column, first and last row of the nodes in use.
     frame : Frame
@@ -50,10 +56,8 @@ def update_grid(grid, extent, frame, free, damping):
         for i in range(extent[0], extent[1] + 1):
             at = (row + i) * NODE
             mass = grid[at + NM]
-            mark = grid[at + NMARK]
-            if mark == LOOSE or mass <= frame.mass_small:
+            if grid[at + NMARK] == LOOSE or mass <= frame.mass_small:
                 continue
-            grid[at + NMARK] = 0.0
             px, py = grid[at + NPX], grid[at + NPY]
             fx, fy = grid[at + NFX], grid[at + NFY]
             resting = i < free[0] or i > free[1]
@@ -77,7 +81,7 @@ def update_grid(grid, extent, frame, free, damping):
                 grid[at + NVY] = 0.0
                 continue
             vx, vy = px / mass, py / mass
-            rate = time_step / max(mass + mark, 0.5 * mass)
+            rate = time_step / moving_mass(grid, at)
             new_vx = vx + rate * fx - time_step * damping * vx
             new_vy = vy + rate * fy - time_step * damping * vy
             grid[at + NVX] = new_vx
@@ -139,11 +143,14 @@ def join_bodies(chip, base, extent, frame):
             mass_chip, mass_base = chip[at + NM], base[at + NM]
             if mass_chip <= frame.mass_small or mass_base <= frame.mass_small:
                 continue
-            mass = mass_chip * mass_base / (mass_chip + mass_base)
+            if chip[at + NMARK] == LOOSE or base[at + NMARK] == LOOSE:
+                continue
+            moving_chip, moving_base = moving_mass(chip, at), moving_mass(base, at)
+            mass = moving_chip * moving_base / (moving_chip + moving_base)
             for k in range(2):
                 gap = chip[at + NVX + k] - base[at + NVX + k]
                 start = chip[at + NPX + k] / mass_chip - base[at + NPX + k] / mass_base
-                chip[at + NVX + k] -= mass / mass_chip * gap
-                base[at + NVX + k] += mass / mass_base * gap
+                chip[at + NVX + k] -= mass / moving_chip * gap
+                base[at + NVX + k] += mass / moving_base * gap
                 lost += 0.5 * mass * gap * start
     return lost

@@ -12,7 +12,9 @@ import math
 from orthocut.kernels.jit import jit, part
 from orthocut.kernels.laws.cohesive import traction_over_opening
 from orthocut.kernels.laws.failure import damage
-from orthocut.kernels.mpm.layout import NFX, NFY, NM, NODE, NPX, NPY, NVX, NVY
+from orthocut.kernels.mpm.grid import moving_mass
+from orthocut.kernels.mpm.layout import NFX, NFY, NM, NMARK, NODE, NPX, NPY, NVX, NVY
+from orthocut.kernels.mpm.support import LOOSE
 
 # rows of the interface state, one column a pair
 UPPER_X, UPPER_Y, LOWER_X, LOWER_Y = 0, 1, 2, 3  # positions [m]
@@ -182,19 +184,26 @@ def pull_together(interface, first, chip, base, closing, closing_normal, closing
 
 
 @part
-def push_apart(chip, base, closing, closing_normal, count, frame):
-    """Exchange normal momentum between chip and base at nodes around closed pairs, where they approach each other.
+def push_apart(chip, base, closing, closing_normal, impulses, count, frame):
+    """Exchange normal momentum between chip and base at firm nodes around closed pairs, where they approach each other.
 
-    Returns
-    -------
-    float
-        Energy lost in impacts, with impulses acting at the mean velocity of the step [J/m].
+    Parameters
+    ----------
+    chip, base : float array
+        Nodes of both bodies with their velocities at the end of the step; modified in place.
+    closing, closing_normal, count
+        Nodes around closed pairs and the sums of normals around them, see `pull_together`.
+    impulses : float array, shape (n, 2)
+        Receives the impulse on the chip at each of these nodes [N s/m].
+    frame : Frame
+        Grid.
     """
-    lost = 0.0
     for k in range(count):
         at = closing[k]
-        mass_chip, mass_base = chip[at + NM], base[at + NM]
-        if mass_chip <= frame.mass_small or mass_base <= frame.mass_small:
+        impulses[k, 0] = impulses[k, 1] = 0.0
+        if chip[at + NM] <= frame.mass_small or base[at + NM] <= frame.mass_small:
+            continue
+        if chip[at + NMARK] == LOOSE or base[at + NMARK] == LOOSE:
             continue
         nx, ny = closing_normal[k, 0], closing_normal[k, 1]
         length = math.sqrt(nx * nx + ny * ny)
@@ -202,14 +211,32 @@ def push_apart(chip, base, closing, closing_normal, count, frame):
         approach = (chip[at + NVX] - base[at + NVX]) * nx + (chip[at + NVY] - base[at + NVY]) * ny
         if approach >= 0.0:
             continue
-        mass = mass_chip * mass_base / (mass_chip + mass_base)
-        start = (chip[at + NPX] / mass_chip - base[at + NPX] / mass_base) * nx
-        start += (chip[at + NPY] / mass_chip - base[at + NPY] / mass_base) * ny
-        chip[at + NVX] -= mass * approach * nx / mass_chip
-        chip[at + NVY] -= mass * approach * ny / mass_chip
-        base[at + NVX] += mass * approach * nx / mass_base
-        base[at + NVY] += mass * approach * ny / mass_base
-        lost += 0.5 * mass * approach * start
+        mass_chip, mass_base = moving_mass(chip, at), moving_mass(base, at)
+        impulse = -approach * mass_chip * mass_base / (mass_chip + mass_base)
+        chip[at + NVX] += impulse * nx / mass_chip
+        chip[at + NVY] += impulse * ny / mass_chip
+        base[at + NVX] -= impulse * nx / mass_base
+        base[at + NVY] -= impulse * ny / mass_base
+        impulses[k, 0] = impulse * nx
+        impulses[k, 1] = impulse * ny
+
+
+@part
+def lost_in_closing(chip, base, closing, impulses, count):
+    """Energy that the impulses of `push_apart` take, acting at the mean velocity of the step [J/m].
+
+    The tool acts on the same nodes afterwards: velocities are those after it.
+    """
+    lost = 0.0
+    for k in range(count):
+        jx, jy = impulses[k, 0], impulses[k, 1]
+        if jx == 0.0 and jy == 0.0:
+            continue
+        at = closing[k]
+        mass_chip, mass_base = chip[at + NM], base[at + NM]
+        vx = chip[at + NPX] / mass_chip + chip[at + NVX] - base[at + NPX] / mass_base - base[at + NVX]
+        vy = chip[at + NPY] / mass_chip + chip[at + NVY] - base[at + NPY] / mass_base - base[at + NVY]
+        lost -= 0.5 * (jx * vx + jy * vy)
     return lost
 
 

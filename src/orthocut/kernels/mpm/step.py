@@ -1,7 +1,7 @@
 """The order of one time step, for many steps without returning to Python.
 
 Update stress last, extrapolate velocities once: forces and momenta on the grid give new velocities; contact acts on
-these; points, deformations, interface and tool all move with them.
+these, and loose nodes follow; points, deformations, interface and tool all move with them.
 """
 
 import math
@@ -11,7 +11,7 @@ from orthocut.kernels.mpm.contact import push_with_tool
 from orthocut.kernels.mpm.contact_cells import remove_tool
 from orthocut.kernels.mpm.contact_search import RELIST, list_near, mark_touching, place_tool
 from orthocut.kernels.mpm.grid import clear_grid, join_bodies, update_grid, work_of_forces
-from orthocut.kernels.mpm.interface import UPPER_X, move_pairs, pull_together, push_apart, set_normals
+from orthocut.kernels.mpm.interface import UPPER_X, lost_in_closing, move_pairs, pull_together, push_apart, set_normals
 from orthocut.kernels.mpm.layout import BASE, CHIP
 from orthocut.kernels.mpm.points import advance_points
 from orthocut.kernels.mpm.rest import PAIRS, follow_tool
@@ -120,7 +120,6 @@ def run_steps(
             before, damped, clamp_x, clamp_y = update_grid(
                 grid, extent, frame, free[body], totals[DAMPING] if ramping else 0.0
             )
-            follow_firm_nodes(grid, loose, weights, count, frame)
             if body == CHIP:
                 loose_chip = count
             else:
@@ -137,9 +136,7 @@ def run_steps(
             lost = join_bodies(chip, base, extents[CHIP, current], frame)
             work -= lost
             totals[IMPACT] += lost
-        lost = push_apart(chip, base, space.closing, space.closing_normal, closed, frame)
-        work -= lost
-        totals[IMPACT] += lost
+        push_apart(chip, base, space.closing, space.closing_normal, space.closing_impulse, closed, frame)
         seen = place_tool(extents[CHIP, current], extents[BASE, current], wedge, totals[TIP], frame, space)
         for body in (CHIP, BASE):
             near = near_chip if body == CHIP else near_base
@@ -153,12 +150,16 @@ def run_steps(
             totals[WORK] -= impulse_x * speed
             totals[IMPACT] += impact
             totals[FRICTION] += friction
+        lost = lost_in_closing(chip, base, space.closing, space.closing_impulse, closed)
+        work -= lost
+        totals[IMPACT] += lost
         remove_tool(space.tool_sums, space.tool_nodes, seen)
         for body in (CHIP, BASE):
             grid, grid_before = grids[body, current], grids[body, 1 - current]
             loose, weights = space.loose[body], space.loose_weights[body]
-            work += work_of_forces(grid, grid_before, extents[body, current], frame)
             count = loose_chip if body == CHIP else loose_base
+            follow_firm_nodes(grid, loose, weights, count, frame)
+            work += work_of_forces(grid, grid_before, extents[body, current], frame)
             work += work_of_loose_forces(grid, grid_before, loose, weights, count, frame)
 
         totals[COHESIVE] += move_pairs(interface, awake[PAIRS, 0], chip, base, frame)

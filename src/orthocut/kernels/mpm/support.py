@@ -9,7 +9,9 @@ A loose node therefore has no motion of its own. Its force goes to the firm node
 and it moves with the straight line through their changes of velocity: v1 - (v2 - v1) for the nearest and the next node.
 Forces, masses and velocities use the same weights, so that forces keep their sum and their moment, a force that all
 nodes feel alike moves all alike, and linear fields of velocity stay exact. Between no mass and the mass of a firm node
-the own motion fades in. The idea is that of aggregated finite elements (Badia,
+the own motion fades in. Contact comes first: it acts on firm nodes, with the masses that they carry along, and loose
+nodes follow what is left. Loose nodes that move as if there were no contact, while contact holds the firm ones that
+took their forces, make energy in each step. The idea is that of aggregated finite elements (Badia,
 Verdugo & Martin 2018, Comput. Methods Appl. Mech. Eng. 336, 533).
 """
 

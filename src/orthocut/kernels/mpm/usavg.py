@@ -18,7 +18,7 @@ from orthocut.kernels.mpm.contact import push_with_tool
 from orthocut.kernels.mpm.contact_cells import remove_tool
 from orthocut.kernels.mpm.contact_search import RELIST, list_near, mark_touching, place_tool
 from orthocut.kernels.mpm.grid import clear_grid, join_bodies, update_grid
-from orthocut.kernels.mpm.interface import move_pairs, pull_together, push_apart, set_normals
+from orthocut.kernels.mpm.interface import lost_in_closing, move_pairs, pull_together, push_apart, set_normals
 from orthocut.kernels.mpm.layout import BASE, CHIP
 from orthocut.kernels.mpm.step import (
     BASE_X,
@@ -47,13 +47,14 @@ FIRST, SECOND, THIRD = 0, 1, 2
 
 @part
 def touch(chip, base, extent, closed, touching_chip, touching_base, wedge, speed, frame, space):
-    """Contact of a pass, closing interface and tool; return what `push_apart` and, by body, `push_with_tool` do."""
+    """Contact of a pass, closing interface and tool; return what the interface loses and what `push_with_tool` does."""
     joined = 0.0
     if frame.last_whole_column >= 0:
         joined = join_bodies(chip, base, extent, frame)
-    lost = joined + push_apart(chip, base, space.closing, space.closing_normal, closed, frame)
+    push_apart(chip, base, space.closing, space.closing_normal, space.closing_impulse, closed, frame)
     on_chip = push_with_tool(chip, space.marked[CHIP], touching_chip, CHIP, wedge, speed, frame)
     on_base = push_with_tool(base, space.marked[BASE], touching_base, BASE, wedge, speed, frame)
+    lost = joined + lost_in_closing(chip, base, space.closing, space.closing_impulse, closed)
     return lost, on_chip, on_base
 
 

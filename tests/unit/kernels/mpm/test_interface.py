@@ -176,7 +176,9 @@ def test_closed_interface_stops_approach_and_lets_separate():
         assert count == 6
         assert (interface.slot == -1).all()
         momentum = (chip + base).reshape(NODES, -1)[:, layout.NVY].sum()
-        lost = pairs.push_apart(chip, base, interface.closing, interface.normal, count, FRAME)
+        impulses = np.ones((NODES, 2))
+        pairs.push_apart(chip, base, interface.closing, interface.normal, impulses, count, FRAME)
+        lost = pairs.lost_in_closing(chip, base, interface.closing, impulses, count)
         at = interface.closing[0]
         assert (chip + base).reshape(NODES, -1)[:, layout.NVY].sum() == pytest.approx(momentum, rel=1e-12)
         assert chip[at + layout.NVX] == 0.5

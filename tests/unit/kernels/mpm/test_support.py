@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 
 from orthocut.kernels.mpm import layout
-from orthocut.kernels.mpm.frame import Frame
+from orthocut.kernels.mpm.contact import push_with_tool
+from orthocut.kernels.mpm.frame import Frame, Wedge
 from orthocut.kernels.mpm.grid import update_grid, work_of_forces
+from orthocut.kernels.mpm.layout import BASE
 from orthocut.kernels.mpm.support import DIRECTIONS, LOOSE, follow_firm_nodes, lean_on_firm_nodes, work_of_loose_forces
 
 COLUMNS, ROWS = 9, 8
@@ -111,6 +113,24 @@ def test_work_is_that_of_all_forces_as_they_were():
     work += work_of_loose_forces(new, old, body.loose, body.weights, body.count, FRAME)
     expected = 0.5 * STEP * (force * (body.get(layout.NVX) + before.get(layout.NVX))).sum()
     assert work == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("fringe", [1e-11, 2e-7, 6e-7])
+def test_loose_nodes_stop_with_firm_ones_that_the_tool_stops(fringe):
+    """The tool gives the momentum of all nodes; loose nodes take it from the firm ones, up to their own motion."""
+    body = Body(fringe=fringe)
+    body.put(layout.NPX, 0.0, 2.0)
+    body.lean()
+    update_grid(body.grid.ravel(), ALL, FRAME, -1, 0.0)
+    marked = np.flatnonzero(INSIDE | FRINGE) * layout.NODE
+    wedge = Wedge(0.5, 0.0, 0.0, 5.0, 0.0, 0.0)
+    _, impulse, _, _ = push_with_tool(body.grid.ravel(), marked, marked.size, BASE, wedge, 5.0, FRAME)
+    follow_firm_nodes(body.grid.ravel(), body.loose, body.weights, body.count, FRAME)
+    mass = body.grid[:, layout.NM]
+    np.testing.assert_allclose(body.grid[INSIDE, layout.NVY], 0.0, atol=1e-12)
+    np.testing.assert_allclose(body.grid[FRINGE, layout.NVY], 2.0 * (fringe / FRAME.mass_firm) ** 2, atol=1e-12)
+    change = (mass * body.grid[:, layout.NVY] - body.grid[:, layout.NPY]).sum()
+    assert impulse == pytest.approx(change, rel=1e-12)
 
 
 def test_no_node_leans_on_clamped_rows():
