@@ -21,7 +21,7 @@ def transfers(affine: float) -> str:
 
 SPECIAL = {
     "affine": lambda value: "" if value == 1.0 else transfers(value),
-    "support": lambda value: "" if value else "no support",
+    "support": lambda value: {0.0: "no support", 0.05: ""}.get(value, f"support {value:g}"),
     "scheme": lambda value: "paper's loop" if value == "usavg" else "",
     "contact": lambda value: "0.8-cell contact" if value == "cells" else "",
     "failure_criterion": lambda value: "" if value == "area" else value,
