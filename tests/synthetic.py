@@ -36,7 +36,8 @@ def mpm_run(snapshots=4, wall_time=3.5, force=None, touching=0, **values):
     thrust = -math.tan(alpha) * cutting
     work = np.concatenate([[0], np.cumsum(0.5 * (cutting[1:] + cutting[:-1]) * np.diff(travel))])
     tip = case.workpiece.length_ratio * h - travel
-    shares = {"elastic": 0.1, "plastic": 0.45, "cohesive": 0.3, "friction": 0.0, "kinetic": 0.02, "numerical": 0.11}
+    shares = {"elastic": 0.1, "plastic": 0.45, "cohesive": 0.3, "friction": 0.0, "kinetic": 0.02, "numerical": 0.08}
+    shares["contact"] = 0.03
     data = {
         "time": (HISTORY, time),
         "tool_travel": (HISTORY, travel),

@@ -24,25 +24,26 @@ __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 
 CAPTION = (
     "Ductile cuts with extreme parameters, one row a cut, named by what differs from the reference, which has the "
-    "commonest value of each parameter. Left: share of the tool's work that the transfers between points and grid have "
-    "lost at the end; below zero, they made energy. Right: share of that work that the energy balance does not account "
-    "for; vertical lines: the share at which a run stops. Open symbols: the tool touches the crack tip; filled: the "
+    "commonest value of each parameter. Left: share of the tool's work that contact and the transfers between points "
+    "and grid have lost at the end; below zero, they made energy. Right: share of that work that the energy balance does "
+    "not account for. Vertical lines: the shares at which a run stops. Open symbols: the tool touches the crack tip; filled: the "
     "chip bends. Crosses: runs that failed, with their reasons in the table, which also holds the forces."
 )
 DIMS = ()
 STOPS = 5.0
-"""Share of the tool's work not accounted for at which a run stops [%]; see `orthocut.experiments.mpm_cutting`."""
+"""Share of the tool's work, made or not accounted for, at which a run stops [%]; see `experiments.mpm_cutting`."""
 ROW = 0.16  # inches
-LOSS = "share_numerical"
-PANELS = (("work lost in transfers [%]", LOSS), ("work not accounted for [%]", "energy_closure"))
+LOSS = "share_lost"
+PANELS = (("work lost in transfers and contact [%]", LOSS), ("work not accounted for [%]", "energy_closure"))
 
 
 def condense(run: xr.Dataset) -> xr.Dataset:
-    """Run with the share of the tool's work that transfers have lost at the end, from its histories."""
-    if not {"energy_numerical", "work_tool"} <= set(run.variables):
+    """Run with the share of the tool's work that transfers and contact have lost at the end, from its histories."""
+    if not {"energy_numerical", "energy_contact", "work_tool"} <= set(run.variables):
         return run
-    attributes = {"units": "1", "long_name": "energy lost in transfers over the work of the tool, at the end"}
-    return run.assign({LOSS: ((), float(run["energy_numerical"][-1] / run["work_tool"][-1]), attributes)})
+    attributes = {"units": "1", "long_name": "energy lost in transfers and contact over the work of the tool"}
+    lost = run["energy_numerical"][-1] + run["energy_contact"][-1]
+    return run.assign({LOSS: ((), float(lost / run["work_tool"][-1]), attributes)})
 
 
 @styled
@@ -66,8 +67,8 @@ def draw(dataset: xr.Dataset) -> Figure:
                 ax.plot(0.0, row, "x", color=GREY, ms=5, mew=1.2, transform=ax.get_yaxis_transform(), clip_on=False)
             elif math.isfinite(share):
                 ax.plot(share, row, "o", color=BLUE, mfc="white" if touches(run) else BLUE)
-    for stop in (-STOPS, STOPS):
-        panels[1].axvline(stop, color="0.7", lw=0.8, zorder=1)
+    for ax, stop in ((panels[0], -STOPS), (panels[1], -STOPS), (panels[1], STOPS)):
+        ax.axvline(stop, color="0.7", lw=0.8, zorder=1)
     panels[0].set_ylabel("cut")
     panels[0].set_yticks(range(len(runs)), names(runs))
     panels[0].set_ylim(len(runs) - 0.5, -0.5)
