@@ -24,10 +24,11 @@ __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 
 CAPTION = (
     "Ductile cuts with extreme parameters, one row a cut, named by what differs from the reference, which has the "
-    "commonest value of each parameter. Left: share of the tool's work that contact and the transfers between points "
-    "and grid have lost at the end; below zero, they made energy. Right: share of that work that the energy balance does "
-    "not account for. Vertical lines: the shares at which a run stops. Open symbols: the tool touches the crack tip; filled: the "
-    "chip bends. Crosses: runs that failed, with their reasons in the table, which also holds the forces."
+    "commonest value of each parameter. Left: share of the tool's work that contact and the transfers between "
+    "points and grid have lost at the end; below zero, they made energy. Right: share of that work that the energy "
+    "balance does not account for. Vertical lines: the shares at which a run stops. Open symbols: the tool touches "
+    "the crack tip; filled: the chip bends. Crosses: runs that failed, with their reasons in the table, which also "
+    "holds the forces."
 )
 DIMS = ()
 STOPS = 5.0
