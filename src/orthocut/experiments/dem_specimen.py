@@ -166,7 +166,7 @@ def specimen_dataset(
     snapshots: int,
 ) -> xr.Dataset:
     """Load a specimen and return histories, results, energies and, if snapshots are wanted, discs and cracks."""
-    initial = scene.places.copy()
+    initial, joined = scene.places.copy(), forces(scene).intact
     proceed(scene, 0)
     start = energies(scene)
     done, intact = load_specimen(case, scene, sign, grip_force, progress, checkpoint)
@@ -194,7 +194,7 @@ def specimen_dataset(
             "time_snapshot": (("snapshot",), [0.0, scene.time]),
             "disc_x": (("snapshot", "disc"), [initial[:, 0], scene.places[:, 0]]),
             "disc_y": (("snapshot", "disc"), [initial[:, 1], scene.places[:, 1]]),
-            "bond_intact": (("snapshot", "bond"), [np.ones_like(intact), intact]),
+            "bond_intact": (("snapshot", "bond"), [joined, intact]),
             **field_data(scene),
         }
     dataset = build_dataset(case, title, data, {"time": data.pop("time")})
