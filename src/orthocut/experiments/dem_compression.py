@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import xarray as xr
 
-from orthocut.dem.packing import PackedDiscs, pack
+from orthocut.dem.packing import PackedDiscs
 from orthocut.dem.setup import build, wall
 from orthocut.dem.state import Scene
 from orthocut.experiments.dem_specimen import Progress, specimen_dataset
+from orthocut.experiments.packing_shelf import packed_discs
 from orthocut.io.checkpoint import Checkpoint
 from orthocut.kernels.dem.layout import WALL_SUM_Y
 from orthocut.params.dem import DemCompression
@@ -43,7 +44,7 @@ def simulate(
     case: DemCompression, progress: Progress, checkpoint: Checkpoint | None = None, snapshots: int = 2
 ) -> xr.Dataset:
     """Crush a specimen; see `orthocut.variables` for what the dataset holds. Snapshots are start and end."""
-    discs = pack(case.packing)
+    discs = packed_discs(case.packing, checkpoint)
     scene = make_scene(case, discs)
     title = "Unconfined compression of bonded discs"
     return specimen_dataset(case, title, discs, scene, -1, read_platens, progress, checkpoint, snapshots)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from orthocut.dem.packing import PackedDiscs, pack
+from orthocut.dem.packing import PackedDiscs
 from orthocut.dem.setup import build
 from orthocut.dem.state import Scene
 from orthocut.experiments.dem_specimen import Progress, specimen_dataset
+from orthocut.experiments.packing_shelf import packed_discs
 from orthocut.io.checkpoint import Checkpoint
 from orthocut.params.dem import DemTension
 
@@ -44,7 +45,7 @@ def simulate(
     case: DemTension, progress: Progress, checkpoint: Checkpoint | None = None, snapshots: int = 2
 ) -> xr.Dataset:
     """Pull a specimen apart; see `orthocut.variables` for what the dataset holds. Snapshots are start and end."""
-    discs = pack(case.packing)
+    discs = packed_discs(case.packing, checkpoint)
     scene = make_scene(case, discs)
     title = "Uniaxial tension of bonded discs"
     return specimen_dataset(case, title, discs, scene, 1, read_grips, progress, checkpoint, snapshots)
