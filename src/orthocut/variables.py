@@ -112,6 +112,7 @@ VARIABLES: dict[str, Variable] = {
     "grip_ratio": Variable("", "1", "height of a grip over height of the specimen"),
     "drop_fraction": Variable("", "1", "fraction of the peak stress at which a test ends"),
     "strain_max": Variable("", "1", "axial strain at which a test ends", "%", 100.0),
+    "flat_ratio": Variable("", "1", "width of the flats of a round specimen over its diameter"),
     "friction_platen": Variable(r"\mu_p", "1", "friction coefficient of the platens"),
     # results of the cutting models
     "force_over_toughness": Variable("F_c/(bG_c)", "1", "cutting force over toughness"),

@@ -1,4 +1,10 @@
-"""Uniaxial tension of a specimen of bonded discs (Yang et al. 2018, section 3.1)."""
+"""Uniaxial tension of a specimen of bonded discs (Yang et al. 2018, section 3.1).
+
+Stress is measured in the middle half of the height over the whole width of the packing, and by the reaction of the
+grips; strains are slopes of the displacements of the discs there. Young's modulus E and Poisson's ratio come from
+the samples between 10 and 50 % of the peak before it (`orthocut.measure.specimen.elastic_constants`); the tensile
+strength (UTS, ``strength_ultimate``) is the largest stress.
+"""
 
 from __future__ import annotations
 

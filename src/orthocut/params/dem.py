@@ -121,6 +121,31 @@ class DemCompression(_Test):
     """Coulomb coefficient of the platens."""
 
 
+class DemBrazilian(_Test):
+    """A round specimen, cut from a packing, split between rigid platens."""
+
+    kind: Literal["dem_brazilian"] = "dem_brazilian"
+    packing: Packing = Packing.model_construct(
+        width=1e-3,
+        height=1e-3,
+        radius_min=7.5e-6,
+        radius_ratio=1.3333333333333333,
+        porosity_cloud=0.103,
+        pressure_ratio=0.03,
+        seed=1,
+    )
+    friction_platen: Annotated[float, Number(0.0, 1.5)] = 0.0
+    """Coulomb coefficient of the platens."""
+    flat_ratio: Annotated[float, Number(0.0, 0.5)] = 0.2
+    """Width of the flats that the platens stand on, over the diameter."""
+
+    @property
+    def diameter(self) -> float:
+        """Diameter of the specimen [m]: the smaller side without two of the largest discs, which the walls arranged."""
+        packing = self.packing
+        return min(packing.width, packing.height) - 4 * packing.radius_min * packing.radius_ratio
+
+
 class Grooves(Block):
     """Rectangular grooves in the surface, as deep as the cut; made by deleting discs."""
 
