@@ -184,6 +184,14 @@ VARIABLES: dict[str, Variable] = {
     "strain_peak": Variable(
         r"\varepsilon_u", "1", "axial strain in the measurement region at the largest stress", "%", 100.0
     ),
+    "strength_tension": Variable(r"\sigma_t", "Pa", "tensile strength", *_MPA),
+    "strength_compression": Variable(r"\sigma_{UCS}", "Pa", "compressive strength", *_MPA),
+    "trial_purpose": Variable("", "1", "purpose of an evaluation"),
+    "fit_evaluation": Variable("", "1", "index of the fitted evaluation"),
+    "fit_converged": Variable("", "1", "whether all properties are within the tolerance"),
+    "fit_slope": Variable("J", "1", "relative change of a property over that of a parameter"),
+    "fit_spread": Variable("", "1", "relative standard deviation over packings of a fitted parameter"),
+    "fit_error": Variable("", "1", "relative standard error of a fitted parameter"),
     "cracks_tension_total": Variable("N_t", "1", "number of elements broken in tension at the end"),
     "cracks_shear_total": Variable("N_s", "1", "number of elements broken in shear at the end"),
     "disc_count": Variable("N", "1", "number of discs of the packing"),
@@ -224,6 +232,8 @@ FLAGS = {
     "status": "done failed",
     "crack_mode": "tension shear",
     "touching": "bending touching",
+    "trial_purpose": "search slope",
+    "fit_converged": "no yes",
     "bond_kind": "bonded gapped slit",
     "grooved": "regular grooved",
 }
