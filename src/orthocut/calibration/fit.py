@@ -29,7 +29,8 @@ class Fit(NamedTuple):
     converged: bool
     """Whether every property is within the tolerance."""
     slopes: np.ndarray
-    """(4, 4) relative change of each property (rows) over that of each parameter, around the fitted set."""
+    """(4, 4) relative change of each property (rows) over that of each parameter, around the fitted set. NaN if
+    not asked for, as are spread and error."""
     spread: np.ndarray
     """(4,) standard deviation over packings of the parameters that would fit each packing alone, relative."""
     error: np.ndarray
@@ -75,14 +76,9 @@ def fit(calibration: DemCalibration, simulate: Simulate, report: Callable[[Trial
     )
     best = min(trials.values(), key=lambda trial: _largest(deviations(trial, goal)))
 
-    step = calibration.slope_step
-    columns = []
-    for k in range(len(FITTED)):
-        shift = step * (np.arange(len(FITTED)) == k)
-        ends = [evaluate(best.parameters * np.exp(sign * shift), "slope") for sign in (-1, 1)]
-        change = np.log(ends[1].properties.mean(axis=0) / ends[0].properties.mean(axis=0))
-        columns.append(change / np.log(ends[1].parameters[k] / ends[0].parameters[k]))
-    slopes = np.array(columns).T
+    slopes = np.full((len(FITTED), len(FITTED)), np.nan)
+    if calibration.uncertainty:
+        slopes = _slopes(best, calibration.slope_step, lambda parameters: evaluate(parameters, "slope"))
     spread = _spread(slopes, best)
     made = list(trials.values())
     return Fit(
@@ -97,6 +93,17 @@ def fit(calibration: DemCalibration, simulate: Simulate, report: Callable[[Trial
 
 def _largest(values: np.ndarray) -> float:
     return float(np.max(np.abs(values)))
+
+
+def _slopes(best: Trial, step: float, evaluate: Callable[[np.ndarray], Trial]) -> np.ndarray:
+    """Relative change of the mean properties over that of each parameter, by steps to both sides; shape (4, 4)."""
+    columns = []
+    for k in range(len(FITTED)):
+        shift = step * (np.arange(len(FITTED)) == k)
+        low, high = (evaluate(best.parameters * np.exp(sign * shift)) for sign in (-1, 1))
+        change = np.log(high.properties.mean(axis=0) / low.properties.mean(axis=0))
+        columns.append(change / np.log(high.parameters[k] / low.parameters[k]))
+    return np.array(columns).T
 
 
 def _spread(slopes: np.ndarray, best: Trial) -> np.ndarray:

@@ -53,6 +53,8 @@ class DemCalibration(Block):
     """Largest relative deviation of the mean over the packings from any of the four."""
     slope_step: Annotated[float, Number(0.01, 0.3)] = 0.1
     """Relative change of a parameter to either side for its influence on the properties."""
+    uncertainty: bool = True
+    """Whether to find these influences, and from them the uncertainty of the fit: eight more evaluations."""
     evaluations: Annotated[int, Number(1, 1000, integer=True)] = 40
     """Most evaluations of the search."""
 

@@ -79,6 +79,13 @@ def test_all_evaluations_use_the_same_packings_and_change_nothing_but_the_fitted
         assert load(case.kind, {}).drop_fraction == case.drop_fraction
 
 
+def test_uncertainty_is_left_out_if_not_wanted(tmp_path):
+    calibration, _, found, _ = calibrate(uncertainty=False)
+    assert all(trial.purpose == "search" for trial in found.trials)
+    assert np.isnan([*found.slopes.ravel(), *found.spread, *found.error]).all()
+    assert len(save(calibration, found, tmp_path)) == 8
+
+
 def test_search_that_may_not_go_on_says_so():
     _, _, found, _ = calibrate(evaluations=1)
     assert not found.converged
