@@ -8,7 +8,8 @@ rule calibrate:
     input:
         kernels=f"{RESULTS}/kernels/dem.compiled",
     output:
-        expand(f"{RESULTS}/calibration/{{name}}", name=("calibration.nc", "joint.yaml")),
+        f"{RESULTS}/calibration/calibration.nc",
+        f"{RESULTS}/calibration/joint.yaml",
         expand(
             f"{RESULTS}/calibration/{{table}}.{{form}}",
             table=("parameters", "properties", "evaluations"),
@@ -24,9 +25,9 @@ rule calibrate:
         runtime=120,
     params:
         python=sys.executable,
-        sources=digest_numbers("dem"),
+        sources=[digest_numbers("dem_tension"), digest_numbers("dem_compression")],
         store=STORE,
-        folder=f"{RESULTS}/calibration",
+        folder=lambda wildcards, output: str(Path(output[0]).parent),
     shell:
         "{params.python:q} -m orthocut.cli calibrate --store {params.store:q} --output {params.folder:q}"
         " --workers {threads} > {log:q} 2>&1"
