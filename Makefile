@@ -47,7 +47,8 @@ import: $(STAMP) ## take the published results into the store: figures are then 
 
 calibrate: $(STAMP) ## fit the joints of glass to its stiffness and strengths: results/calibration
 	@$(BIN)/snakemake calibrate --cores $(CORES)
-	@cat results/calibration/properties.md results/calibration/parameters.md
+	@cat results/calibration/parameters.md results/calibration/paper_size/properties.md
+	@cat results/calibration/paper_size/joint.yaml
 
 dry-run: $(STAMP) ## say what `make figures` would do, and why
 	@$(BIN)/snakemake --dry-run --config study=$(STUDY)

@@ -17,6 +17,8 @@ EXAMPLES = """Examples:
 
 orthocut calibrate --output results/calibration
 
+orthocut calibrate results/calibration/joint.yaml --set packing.radius_min="7.5 um" --output results/finer
+
 orthocut calibrate --set joint.fraction_slit=0.1 --set joint.stiffness_ratio=4 --output slit --workers 2
 """
 
