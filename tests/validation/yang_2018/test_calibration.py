@@ -29,6 +29,17 @@ def test_four_properties_are_within_the_tolerance(found):
     assert len(found["evaluation"]) < calibration.evaluations
 
 
+def test_same_four_properties_are_reached_in_specimens_of_the_papers_size():
+    found = read(PUBLISHED / "paper_size" / "calibration.nc")
+    best = int(found["fit_evaluation"])
+    mean = np.array([float(found[name][best].mean()) for name in REACHED])
+    assert np.abs(np.log(mean / goal_of(load_calibration()))).max() <= load_calibration().tolerance
+    small = read(PUBLISHED / "calibration.nc")
+    for name in FITTED:
+        before, after = (float(run[f"joint_{name}"][int(run["fit_evaluation"])]) for run in (small, found))
+        assert after == pytest.approx(before, rel=0.05)
+
+
 def test_strengths_need_other_joints_than_table_1_and_packings_fix_them_to_a_few_per_cent(found):
     """Joints must be weaker in tension than in shear, against Table 1."""
     best = int(found["fit_evaluation"])
