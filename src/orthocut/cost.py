@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from orthocut.params.case import Case
 
 _SECONDS_PER_POINT_STEP = {"consistent": 35e-9, "usavg": 67e-9}
-_SECONDS_PER_DISC_STEP = {"dem_tension": 20e-9, "dem_compression": 26e-9, "dem_cutting": 30e-9}
-_STRAIN_AT_END = {"dem_tension": 1.2e-3, "dem_compression": 4.5e-3}
+_SECONDS_PER_DISC_STEP = {"dem_tension": 20e-9, "dem_compression": 26e-9, "dem_brazilian": 20e-9, "dem_cutting": 30e-9}
+_STRAIN_AT_END = {"dem_tension": 1.2e-3, "dem_compression": 4.5e-3, "dem_brazilian": 4e-3}
 _SECONDS_START = 0.3
 _MB_PROCESS, _BYTES_PER_PARTICLE = 500, 8000
 

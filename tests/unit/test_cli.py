@@ -29,6 +29,7 @@ VERBS = [
     ["export"],
     ["redraw"],
     ["bench"],
+    ["calibrate"],
     ["study"],
     ["study", "list"],
     ["study", "expand"],

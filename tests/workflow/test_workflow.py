@@ -45,6 +45,15 @@ def test_quick_study_plans_every_case_and_figure_once(fresh):
     assert planned["collect"] == sum(bool(names) for names in study.figures.values())
 
 
+def test_calibration_runs_on_request_and_needs_the_kernels_of_glass_alone(fresh):
+    done = fresh.snakemake("--dry-run", "calibrate")
+    assert done.returncode == 0, done.stdout
+    assert "kernels/dem.compiled" in done.stdout
+    assert "calibration/joint.yaml" in done.stdout
+    assert "rule simulate" not in done.stdout
+    assert "mpm.compiled" not in done.stdout
+
+
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [

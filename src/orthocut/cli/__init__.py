@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from orthocut.cli import bench, export, redraw, run, show, store, study, theory
+from orthocut.cli import bench, calibrate, export, redraw, run, show, store, study, theory
 
 app = typer.Typer(
     name="orthocut",
@@ -24,6 +24,7 @@ app.command("redraw", epilog=redraw.EXAMPLES)(redraw.redraw)
 app.add_typer(study.app, name="study")
 app.add_typer(store.app, name="store")
 app.add_typer(theory.app, name="theory")
+app.command("calibrate", epilog=calibrate.EXAMPLES)(calibrate.calibrate)
 app.command("bench", epilog=bench.EXAMPLES)(bench.bench)
 
 

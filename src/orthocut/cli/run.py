@@ -30,7 +30,8 @@ def run(
         str,
         typer.Argument(
             metavar="CASE",
-            help="A YAML file with the fields of a case, or a kind: mpm, dem, dem_tension, dem_compression.",
+            help="A YAML file with the fields of a case, or a kind: mpm, dem, "
+            "dem_tension, dem_compression, dem_brazilian.",
         ),
     ],
     settings: Annotated[

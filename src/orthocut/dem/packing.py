@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from orthocut.dem.setup import overlapping_pairs
+from orthocut.dem.pairs import close_pairs
 from orthocut.kernels.dem.layout import ROW
 from orthocut.kernels.dem.settle import settle
 from orthocut.params.block import CaseFailed
@@ -146,7 +146,7 @@ def _space_filling_order(x: np.ndarray, y: np.ndarray, extent: float) -> np.ndar
 
 def _describe(x, y, radius, width, height, unit, pressure) -> PackedDiscs:
     """Measure a settled packing and turn it to SI units."""
-    pairs = overlapping_pairs(x, y, radius)
+    pairs = close_pairs(x, y, radius)
     contacts = np.bincount(pairs.ravel(), minlength=len(x))
     at_walls = sum((gap <= radius).astype(int) for gap in (x, width - x, y, height - y))
     dx, dy = x[pairs[:, 1]] - x[pairs[:, 0]], y[pairs[:, 1]] - y[pairs[:, 0]]

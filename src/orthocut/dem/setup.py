@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
-from scipy.spatial import cKDTree
 
+from orthocut.dem.joint_kinds import BONDED, GAPPED, draw_kinds
+from orthocut.dem.pairs import close_pairs
 from orthocut.dem.state import Contacts, Cracks, Joints, Law, Scene, Walls
 from orthocut.kernels.dem import layout
 from orthocut.params.dem import FlatJoint
@@ -30,21 +32,18 @@ def law_of(joint: FlatJoint) -> Law:
     )
 
 
-def overlapping_pairs(x: np.ndarray, y: np.ndarray, radius: np.ndarray) -> np.ndarray:
-    """Pairs i < j of discs that touch or overlap, ordered by i, then j; shape (n_pairs, 2)."""
-    points = np.column_stack([x, y])
-    pairs = cKDTree(points).query_pairs(2 * radius.max() * (1 + 1e-9), output_type="ndarray")
-    distance = np.hypot(*(points[pairs[:, 0]] - points[pairs[:, 1]]).T)
-    pairs = np.sort(pairs[distance <= radius[pairs].sum(axis=1) * (1 + 1e-12)], axis=1)
-    return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
-
-
 def install_joints(x: np.ndarray, y: np.ndarray, radius: np.ndarray, joint: FlatJoint) -> Joints:
-    """Bonded joints on all pairs that touch, without stress whatever the overlap (radius multiplier 1)."""
-    pairs = overlapping_pairs(x, y, radius)
+    """Joints on all pairs that touch or are close, without stress whatever the overlap.
+
+    Where a joint is gapped, its discs touch at the distance of installation less its initial gap.
+    """
+    pairs = close_pairs(x, y, radius, joint.gap_ratio)
     first, second = pairs[:, 0], pairs[:, 1]
     dx, dy = x[second] - x[first], y[second] - y[first]
     distance = np.sqrt(dx * dx + dy * dy)
+    smaller = np.minimum(radius[first], radius[second])
+    kinds = draw_kinds(np.column_stack([x, y]), pairs, joint)
+    touching = distance - np.where(kinds == GAPPED, joint.gapped_opening * smaller, 0.0)
     n_blocks = -(-len(pairs) // layout.LANES)
     state = np.zeros((n_blocks, layout.FIELDS))
 
@@ -53,24 +52,31 @@ def install_joints(x: np.ndarray, y: np.ndarray, radius: np.ndarray, joint: Flat
         column[: len(pairs)] = values
         state[:, field : field + layout.LANES] = column.reshape(n_blocks, layout.LANES)
 
-    fill(layout.DISTANCE, distance, 1.0)
-    fill(layout.HALF_LENGTH, np.minimum(radius[first], radius[second]))
+    fill(layout.DISTANCE, touching, 1.0)
+    fill(layout.HALF_LENGTH, joint.radius_multiplier * smaller)
     fill(layout.STIFFNESS, joint.modulus / (radius[first] + radius[second]))
     fill(layout.DIFFERENCE, radius[first] - radius[second])
     fill(layout.NORMAL_X, dx / distance, 1.0)
     fill(layout.NORMAL_Y, dy / distance)
     for element in range(joint.elements):
-        fill(layout.BONDED + element * layout.LANES, 1.0)
+        fill(layout.BONDED + element * layout.LANES, np.where(kinds == BONDED, 1.0, 0.0))
     return Joints(
         first=(layout.ROW * first).astype(np.uint32),
         second=(layout.ROW * second).astype(np.uint32),
         start=np.searchsorted(first, np.arange(len(x) + 1)).astype(np.int64),
-        distance=distance,
+        distance=touching,
+        kind=kinds,
         live=np.ones(len(pairs), dtype=np.uint8),
-        broken=np.zeros(n_blocks, dtype=np.uint8),
+        broken=np.array([np.any(part != BONDED) for part in _blocks(kinds)], dtype=np.uint8),
         state=state,
         work=np.zeros(layout.WORK),
     )
+
+
+def _blocks(values: np.ndarray) -> Iterator[np.ndarray]:
+    """Values of the joints of each block."""
+    for start in range(0, len(values), layout.LANES):
+        yield values[start : start + layout.LANES]
 
 
 def wall(
@@ -100,7 +106,7 @@ def build(
     driven: np.ndarray = NO_DISCS,
     group: np.ndarray = NO_DISCS,
 ) -> Scene:
-    """Scene of discs at rest, bonded where they touch.
+    """Scene of discs at rest, joined where they touch.
 
     Parameters
     ----------

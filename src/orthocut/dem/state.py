@@ -32,11 +32,14 @@ class Joints(NamedTuple):
     start: np.ndarray
     """(n_discs + 1,) int64, where the joints of each first disc start."""
     distance: np.ndarray
-    """(n_joints,) distance of the centres at installation [m]."""
+    """(n_joints,) distance of the centres at which the faces touch: that at installation, less the gap of gapped joints
+    [m]."""
+    kind: np.ndarray
+    """(n_joints,) int8, as installed; see `orthocut.dem.joint_kinds`."""
     live: np.ndarray
     """(n_joints,) uint8, 0 after removal."""
     broken: np.ndarray
-    """(n_blocks,) uint8, 1 once an element of the block has broken."""
+    """(n_blocks,) uint8, 1 for a block with an element that has broken or was never bonded."""
     state: np.ndarray
     """(n_blocks, FIELDS), see `orthocut.kernels.dem.layout`."""
     work: np.ndarray

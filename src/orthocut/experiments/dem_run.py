@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from orthocut.dem.joint_kinds import GAPPED, SLIT
 from orthocut.dem.packing import PackedDiscs
 from orthocut.dem.solver import CROWDED, DONE, TOO_FAST, advance
 from orthocut.dem.state import Scene
@@ -50,10 +51,12 @@ def closure(last: Energies, start: Energies) -> float:
 
 
 def packing_data(packed: PackedDiscs, scene: Scene) -> dict[str, tuple[tuple[str, ...], Any]]:
-    """What the packing reached."""
+    """What the packing reached, and how its discs are joined."""
     return {
         "disc_count": ((), len(packed.x)),
         "bond_count": ((), len(scene.joints.first)),
+        "bonds_gapped": ((), int(np.sum(scene.joints.kind == GAPPED))),
+        "bonds_slit": ((), int(np.sum(scene.joints.kind == SLIT))),
         "pressure_reached": ((), packed.pressure_ratio),
         "porosity": ((), packed.porosity),
         "coordination": ((), packed.coordination),
@@ -67,6 +70,7 @@ def field_data(scene: Scene) -> dict[str, tuple[tuple[str, ...], Any]]:
         "disc_radius": (("disc",), scene.radius),
         "bond_first": (("bond",), (scene.joints.first // ROW).astype(np.int32)),
         "bond_second": (("bond",), (scene.joints.second // ROW).astype(np.int32)),
+        "bond_kind": (("bond",), scene.joints.kind),
         **{name: (("crack",), values) for name, values in cracks(scene)._asdict().items()},
     }
 

@@ -1,4 +1,4 @@
-"""Uniaxial tests of a specimen of bonded discs: loading, sampling, stop rule and results."""
+"""Tests of a specimen of bonded discs along y: loading, sampling, stop rule and results."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from orthocut.io.datasets import build as build_dataset
 from orthocut.measure.dem_cracks import count_cracks
 from orthocut.measure.dem_energy import Energies, energies, forces
 from orthocut.measure.specimen import elastic_constants, strains, stress_axial
-from orthocut.params.dem import DemCompression, DemTension
+from orthocut.params.dem import DemBrazilian, DemCompression, DemTension
 
 SAMPLES = 200
 """Samples that a dataset holds; when they are full, every other one is dropped and the interval doubled."""
@@ -28,7 +28,7 @@ READINGS = 4
 """Readings of the stress in an interval, which are averaged."""
 
 Progress = Callable[[float], None]
-Test = DemTension | DemCompression
+Test = DemTension | DemCompression | DemBrazilian
 
 
 class Sample(NamedTuple):
@@ -91,6 +91,7 @@ def load_specimen(
     grip_force: Callable[[Scene], float],
     progress: Progress,
     checkpoint: Checkpoint | None,
+    section: float,
 ) -> tuple[Loading, np.ndarray]:
     """Load until the stress has dropped to the stated fraction of its peak, or to the largest strain.
 
@@ -102,12 +103,14 @@ def load_specimen(
         Reads the sum over steps of the pulling force on both ends since the last call, over two [N/m].
     checkpoint : Checkpoint, optional
         Where the run goes on from, and leaves its state now and then.
+    section : float
+        What forces are divided by to give stresses, for unit width [m].
 
     Returns
     -------
     what was gathered, fraction of intact elements at the end
     """
-    width, height = case.packing.width, case.packing.height
+    height = case.packing.height
     initial = scene.places.copy()
     middle = np.abs(initial[:, 1] - 0.5 * height) < 0.25 * height
     rate = 2 * case.grip_speed / height
@@ -122,14 +125,14 @@ def load_specimen(
             loading.advancing += time.thread_time() - began
             found = forces(scene)
             y = scene.places[:, 1]
-            stresses.append(stress_axial(found, y, 0.25 * height, 0.75 * height, width))
+            stresses.append(stress_axial(found, y, 0.25 * height, 0.75 * height, section))
         loading.strain = rate * scene.time
         sample = Sample(
             scene.time,
             sign * loading.strain,
             *strains(initial, scene.places, middle),
             float(np.mean(stresses)),
-            grip_force(scene) / (loading.per_sample * reading) / width,
+            grip_force(scene) / (loading.per_sample * reading) / section,
             *count_cracks(scene),
             energies(scene, found.energy),
         )
@@ -164,12 +167,16 @@ def specimen_dataset(
     progress: Progress,
     checkpoint: Checkpoint | None,
     snapshots: int,
+    section: float | None = None,
 ) -> xr.Dataset:
-    """Load a specimen and return histories, results, energies and, if snapshots are wanted, discs and cracks."""
-    initial = scene.places.copy()
+    """Load a specimen and return histories, results, energies and, if snapshots are wanted, discs and cracks.
+
+    Parameters are those of `load_specimen`; the section is the width of the packing unless it is given.
+    """
+    initial, joined = scene.places.copy(), forces(scene).intact
     proceed(scene, 0)
     start = energies(scene)
-    done, intact = load_specimen(case, scene, sign, grip_force, progress, checkpoint)
+    done, intact = load_specimen(case, scene, sign, grip_force, progress, checkpoint, section or case.packing.width)
     samples = done.samples
     column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
     loading = sign * column["stress_axial"]
@@ -194,7 +201,7 @@ def specimen_dataset(
             "time_snapshot": (("snapshot",), [0.0, scene.time]),
             "disc_x": (("snapshot", "disc"), [initial[:, 0], scene.places[:, 0]]),
             "disc_y": (("snapshot", "disc"), [initial[:, 1], scene.places[:, 1]]),
-            "bond_intact": (("snapshot", "bond"), [np.ones_like(intact), intact]),
+            "bond_intact": (("snapshot", "bond"), [joined, intact]),
             **field_data(scene),
         }
     dataset = build_dataset(case, title, data, {"time": data.pop("time")})

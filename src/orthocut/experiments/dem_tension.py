@@ -1,14 +1,21 @@
-"""Uniaxial tension of a specimen of bonded discs (Yang et al. 2018, section 3.1)."""
+"""Uniaxial tension of a specimen of bonded discs (Yang et al. 2018, section 3.1).
+
+Stress is measured in the middle half of the height over the whole width of the packing, and by the reaction of the
+grips; strains are slopes of the displacements of the discs there. Young's modulus E and Poisson's ratio come from
+the samples between 10 and 50 % of the peak before it (`orthocut.measure.specimen.elastic_constants`); the tensile
+strength (UTS, ``strength_ultimate``) is the largest stress.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 import xarray as xr
 
-from orthocut.dem.packing import PackedDiscs, pack
+from orthocut.dem.packing import PackedDiscs
 from orthocut.dem.setup import build
 from orthocut.dem.state import Scene
 from orthocut.experiments.dem_specimen import Progress, specimen_dataset
+from orthocut.experiments.packing_shelf import packed_discs
 from orthocut.io.checkpoint import Checkpoint
 from orthocut.params.dem import DemTension
 
@@ -44,7 +51,7 @@ def simulate(
     case: DemTension, progress: Progress, checkpoint: Checkpoint | None = None, snapshots: int = 2
 ) -> xr.Dataset:
     """Pull a specimen apart; see `orthocut.variables` for what the dataset holds. Snapshots are start and end."""
-    discs = pack(case.packing)
+    discs = packed_discs(case.packing, checkpoint)
     scene = make_scene(case, discs)
     title = "Uniaxial tension of bonded discs"
     return specimen_dataset(case, title, discs, scene, 1, read_grips, progress, checkpoint, snapshots)

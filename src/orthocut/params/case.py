@@ -10,16 +10,17 @@ from typing import Any
 from pydantic import ValidationError
 
 from orthocut.params.block import Block, ConfigError, describe, hint, shorten, show
-from orthocut.params.dem import DemCompression, DemCutting, DemTension
+from orthocut.params.dem import DemBrazilian, DemCompression, DemCutting, DemTension
 from orthocut.params.limits import faults
 from orthocut.params.mpm import MpmCutting
 from orthocut.params.text import MAX_DEPTH, read_yaml
 
 KINDS: dict[str, type[Block]] = {
-    model.model_fields["kind"].default: model for model in (MpmCutting, DemCutting, DemTension, DemCompression)
+    model.model_fields["kind"].default: model
+    for model in (MpmCutting, DemCutting, DemTension, DemCompression, DemBrazilian)
 }
 ALIASES = {"mpm": "mpm_cutting", "dem": "dem_cutting"}
-Case = MpmCutting | DemCutting | DemTension | DemCompression
+Case = MpmCutting | DemCutting | DemTension | DemCompression | DemBrazilian
 
 
 def fields(model: type[Block], prefix: str = "") -> Iterator[str]:

@@ -51,6 +51,16 @@ class FlatJoint(Block):
     """Residual Coulomb coefficient of broken elements and of new contacts."""
     elements: Annotated[int, Number(1, 4, integer=True)] = 2
     """Elements of a joint (N_r)."""
+    radius_multiplier: Annotated[float, Number(0.1, 1.0)] = 1.0
+    """Half-length of the faces of a joint over the smaller radius of its discs (lambda)."""
+    gap_ratio: Annotated[float, Number(0.0, 0.3)] = 0.0
+    """Largest distance of two surfaces that are joined, over the smaller radius (installation gap)."""
+    fraction_slit: Annotated[float, Number(0.0, 1.0)] = 0.0
+    """Fraction of slit joints: closed but not bonded."""
+    fraction_gapped: Annotated[float, Number(0.0, 1.0)] = 0.0
+    """Fraction of gapped joints: neither closed nor bonded. The rest, one less both fractions, is bonded."""
+    gapped_opening: Annotated[float, Number(1e-6, 0.1)] = 1e-3
+    """Initial gap of gapped joints over the smaller radius."""
     density: Annotated[float, Quantity("kg/m^3", "10 kg/m^3", "30000 kg/m^3")] = 2400.0
     """Density of the discs."""
     damping: Annotated[float, Number(0.0, 0.95)] = 0.7
@@ -58,6 +68,27 @@ class FlatJoint(Block):
     time_step_factor: Annotated[float, Number(0.01, 1.0)] = 0.5
     """Time step over sqrt(smallest disc mass/(modulus x width)); local damping lowers the limit by sqrt(1 + damping),
     to about 0.59 for the default packing and damping."""
+
+    @property
+    def fraction_bonded(self) -> float:
+        """Fraction of bonded joints."""
+        return 1 - self.fraction_slit - self.fraction_gapped
+
+    @model_validator(mode="after")
+    def _kinds(self) -> FlatJoint:
+        loose = self.fraction_slit + self.fraction_gapped
+        if loose > 1 + 1e-12:
+            raise fault(
+                f"fraction_slit = {self.fraction_slit:.4g} and fraction_gapped = {self.fraction_gapped:.4g} are "
+                f"{loose:.4g} together (allowed: up to 1; the rest is bonded)"
+            )
+        unused = FlatJoint.model_fields["gapped_opening"].default
+        if self.fraction_gapped == 0 and self.gapped_opening != unused:
+            raise fault(
+                f"gapped_opening = {self.gapped_opening:.4g} is of no use with fraction_gapped = 0 "
+                f"(allowed: leave it out, or fraction_gapped above 0)"
+            )
+        return self
 
 
 class _Dem(Block):
@@ -88,6 +119,31 @@ class DemCompression(_Test):
     kind: Literal["dem_compression"] = "dem_compression"
     friction_platen: Annotated[float, Number(0.0, 1.5)] = 0.0
     """Coulomb coefficient of the platens."""
+
+
+class DemBrazilian(_Test):
+    """A round specimen, cut from a packing, split between rigid platens."""
+
+    kind: Literal["dem_brazilian"] = "dem_brazilian"
+    packing: Packing = Packing.model_construct(
+        width=1e-3,
+        height=1e-3,
+        radius_min=7.5e-6,
+        radius_ratio=1.3333333333333333,
+        porosity_cloud=0.103,
+        pressure_ratio=0.03,
+        seed=1,
+    )
+    friction_platen: Annotated[float, Number(0.0, 1.5)] = 0.0
+    """Coulomb coefficient of the platens."""
+    flat_ratio: Annotated[float, Number(0.0, 0.5)] = 0.2
+    """Width of the flats that the platens stand on, over the diameter."""
+
+    @property
+    def diameter(self) -> float:
+        """Diameter of the specimen [m]: the smaller side without two of the largest discs, which the walls arranged."""
+        packing = self.packing
+        return min(packing.width, packing.height) - 4 * packing.radius_min * packing.radius_ratio
 
 
 class Grooves(Block):

@@ -17,7 +17,19 @@ SOURCE = "--config"
 STUDIES = Path("workflow/config")
 """Folder of the studies that have a name."""
 RESULTS = "results"
-PARTS = ("animations", "batches", "benchmarks", "datasets", "figures", "kernels", "logs", "progress", "store", "tables")
+PARTS = (
+    "animations",
+    "batches",
+    "benchmarks",
+    "calibration",
+    "datasets",
+    "figures",
+    "kernels",
+    "logs",
+    "progress",
+    "store",
+    "tables",
+)
 """Folders that the workflow makes among its results; a folder that holds none of them is somebody else's."""
 _UNSAFE = frozenset("{}*?[]$`'\"\\<>|;&~#,")
 

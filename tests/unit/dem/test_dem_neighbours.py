@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from orthocut.dem.setup import overlapping_pairs
+from orthocut.dem.pairs import close_pairs
 from orthocut.kernels.dem.integrate import count_strays
 from orthocut.kernels.dem.neighbours import find_pairs
 from orthocut.kernels.dem.walls import wedge_distance
@@ -63,7 +63,7 @@ def test_touching_pairs_agree_with_brute_force():
     random = np.random.default_rng(4)
     x, y = random.uniform(0, 10, (2, 200))
     radius = random.uniform(0.2, 0.5, 200)
-    pairs = overlapping_pairs(x, y, radius)
+    pairs = close_pairs(x, y, radius)
     assert set(map(tuple, pairs.tolist())) == brute_force(x, y, radius, 0.0)
     assert pairs.tolist() == sorted(pairs.tolist())
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from orthocut.dem.packing import EQUILIBRIUM, TOLERANCE, PackingError, pack
-from orthocut.dem.setup import overlapping_pairs
+from orthocut.dem.pairs import close_pairs
 from orthocut.params.case import load
 
 
@@ -57,7 +57,7 @@ def test_discs_lie_in_the_vessel_with_the_stated_spread_of_radii():
 
 def test_description_counts_contacts():
     packed = pack(packing(**SMALL))
-    pairs = overlapping_pairs(packed.x, packed.y, packed.radius)
+    pairs = close_pairs(packed.x, packed.y, packed.radius)
     assert packed.coordination == pytest.approx(2 * len(pairs) / len(packed.x))
 
 

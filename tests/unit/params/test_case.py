@@ -46,6 +46,7 @@ NEEDS = {
     "peak_ratio": {"law": "triangular"},
     "scheme": PAPER,
     "bottom": {"reach_ratio": 0.0},
+    "gapped_opening": {"fraction_gapped": 0.1},
     "flip": {"scheme": "usavg", **PAPER},
     "position_order": {"scheme": "usavg", **PAPER},
 }

@@ -44,14 +44,17 @@ def remove_joints(joints, tally, position, radius, law):
         dy = position[j + 1] - position[i + 1]
         half_length = block[HALF_LENGTH + k]
         tilt = abs(block[BEND + k])
-        gap = (dx * dx + dy * dy) ** 0.5 - block[DISTANCE + k]
+        length = (dx * dx + dy * dy) ** 0.5
+        gap = length - block[DISTANCE + k]
         shifted = abs(block[SHIFT + k]) > 2.0 * half_length
         opened = gap > max(tilt, 0.1) * half_length
         if shifted or opened or tilt > 0.5:
             held = joint_energy(block, k, gap, law)
             smaller = min(radius[i // ROW], radius[j // ROW])
-            stiffness = 2.0 * smaller / (radius[i // ROW] + radius[j // ROW]) * law.modulus
-            tally[FRACTURE] += held - (0.5 * stiffness * gap * gap if gap < 0.0 else 0.0)
+            reach = radius[i // ROW] + radius[j // ROW]
+            stiffness = 2.0 * smaller / reach * law.modulus
+            overlap = max(min(reach, joints.distance[b]) - length, 0.0)
+            tally[FRACTURE] += held - 0.5 * stiffness * overlap * overlap
             joints.live[b] = 0
             block[STIFFNESS + k] = 0.0
             removed += 1

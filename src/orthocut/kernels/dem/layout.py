@@ -16,7 +16,7 @@ ELEMENTS = 4
 """Largest number of elements of a joint."""
 
 DISTANCE = 0 * LANES
-"""Distance of the centres at installation [m]."""
+"""Distance of the centres at which the faces touch [m]."""
 HALF_LENGTH = 1 * LANES
 """Half-length of the faces [m]."""
 STIFFNESS = 2 * LANES
@@ -35,7 +35,7 @@ STRESS_SHEAR = 8 * LANES
 BONDED = (8 + ELEMENTS) * LANES
 """1 while an element is bonded, else 0."""
 SHIFT = (8 + 2 * ELEMENTS) * LANES
-"""Shear displacement since the first break in the block [m]."""
+"""Shear displacement since the block has an element that is not bonded [m]."""
 FIELDS = (9 + 2 * ELEMENTS) * LANES
 """Numbers in a block."""
 
