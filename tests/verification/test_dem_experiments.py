@@ -130,7 +130,7 @@ def test_fixed_discs_stay_and_grooves_have_the_depth_of_the_cut():
     case = load("dem_cutting", {**BLOCK, "packing.width": "0.6 mm", "grooves": {}})
     packed = pack(case.packing)
     keep = dem_cutting.select_discs(case, packed)
-    (left, right), *more = dem_cutting.groove_edges(case)
+    (left, right), *more = case.grooves.edges(case.packing.width)
     assert (left, right) == pytest.approx((0.34e-3, 0.4e-3))
     assert more == [pytest.approx((0.08e-3, 0.14e-3))]
     removed = packed.y[~keep]
@@ -150,7 +150,7 @@ def test_grooves_are_trapezoids_with_the_stated_widths(ratio):
     x, y = (grid.ravel() for grid in np.meshgrid(np.linspace(0, 1e-3, 2001), np.linspace(0.75e-3, 1e-3, 6)))
     grid = PackedDiscs(x, y, np.full(x.size, 1e-5), 0, 0, 0, 0, 0)
     keep = dem_cutting.select_discs(case, grid)
-    (left, right), *_ = dem_cutting.groove_edges(case)
+    (left, right), *_ = case.grooves.edges(case.packing.width)
     for height in np.unique(y):
         taken = x[(y == height) & (np.abs(x - 0.5 * (left + right)) < 0.1e-3) & ~keep]
         share = (height - 0.8e-3) / 0.2e-3

@@ -55,17 +55,6 @@ class Snapshot(NamedTuple):
     intact: np.ndarray
 
 
-def groove_edges(case: DemCutting) -> list[tuple[float, float]]:
-    """Edges of all grooves at the surface [m], from the free side on; the first lies one clear distance inside."""
-    if case.grooves is None:
-        return []
-    pitch = case.grooves.width + case.grooves.distance
-    first = case.packing.width - case.grooves.distance - case.grooves.width
-    count = math.floor(first / pitch + 1e-9) + 1
-    right = [case.packing.width - case.grooves.distance - k * pitch for k in range(count)]
-    return [(edge - case.grooves.width, edge) for edge in right]
-
-
 def select_discs(case: DemCutting, packed: PackedDiscs) -> np.ndarray:
     """Discs that remain when the grooves, as deep as the cut, are made; bool, shape (n_discs,)."""
     keep = np.ones(len(packed.x), dtype=bool)
@@ -74,7 +63,7 @@ def select_discs(case: DemCutting, packed: PackedDiscs) -> np.ndarray:
     height = (packed.y - (case.packing.height - case.cut_depth)) / case.cut_depth
     narrowing = (1 - case.grooves.bottom_ratio) * (1 - height)
     half_width = 0.5 * case.grooves.width * (1 - narrowing)
-    for left, right in groove_edges(case):
+    for left, right in case.grooves.edges(case.packing.width):
         keep &= ~((np.abs(packed.x - 0.5 * (left + right)) < half_width) & (height > 0))
     return keep
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -101,6 +102,19 @@ class Grooves(Block):
     distance: Size = 0.2e-3
     """Clear distance between grooves at the surface. The paper's 0.2 mm may be meant as the pitch, from one groove to
     the next; then it is 0.14 mm."""
+
+    def edges(self, block: float) -> list[tuple[float, float]]:
+        """Left and right edges at the surface of a block [m], from the free side on.
+
+        Parameters
+        ----------
+        block : float
+            Width of the block [m]; the first groove lies one clear distance inside.
+        """
+        pitch = self.width + self.distance
+        count = math.floor((block - pitch) / pitch + 1e-9) + 1
+        right = [block - self.distance - k * pitch for k in range(count)]
+        return [(edge - self.width, edge) for edge in right]
 
 
 class DemCutting(_Dem):
