@@ -211,6 +211,7 @@ VARIABLES: dict[str, Variable] = {
     "disc_x": Variable("x", "m", "position along the cut", *_MM),
     "disc_y": Variable("y", "m", "position across the cut", *_MM),
     "disc_radius": Variable("R", "m", "radius", "um", 1e6),
+    "disc_fixed": Variable("", "1", "whether the disc is fixed (1) or free (0)"),
     "bond_first": Variable("i", "1", "index of the first disc of a joint"),
     "bond_second": Variable("j", "1", "index of the second disc of a joint"),
     "bond_intact": Variable(r"\phi_b", "1", "fraction of the elements of a joint that are bonded"),
@@ -229,6 +230,7 @@ FLAGS = {
     "crack_mode": "tension shear",
     "touching": "bending touching",
     "grooved": "regular grooved",
+    "disc_fixed": "free fixed",
 }
 """Meanings of 0, 1, ... for variables that are flags."""
 

@@ -228,7 +228,10 @@ def _chip_data(loose: Chips) -> dict[str, tuple[tuple[str, ...], Any]]:
 
 def _fields(scene: Scene, snapshots: list[Snapshot]) -> dict[str, tuple[tuple[str, ...], Any]]:
     """Snapshots, discs, joints and cracks."""
+    fixed = np.zeros(len(scene.radius), dtype=np.int8)
+    fixed[scene.driven // ROW] = 1
     return {
+        "disc_fixed": (("disc",), fixed),
         "time_snapshot": (("snapshot",), [s.time for s in snapshots]),
         "tool_tip_snapshot": (("snapshot",), [s.tool_tip for s in snapshots]),
         "disc_x": (("snapshot", "disc"), [s.places[:, 0] for s in snapshots]),

@@ -28,7 +28,7 @@ CAPTION = (
     "Undecided: the 95 % confidence interval is too wide to tell. Not tested: runs are missing. The table holds the "
     "numbers, the rules and the figures that show them."
 )
-DIMS = ("part",)
+DIMS = ("sample",)
 COLOURS = {REPRODUCED: GREEN, NOT_REPRODUCED: ORANGE, UNDECIDED: AMBER, NOT_TESTED: "0.55"}
 RANGE = 200.0
 """Largest deviation that the axis shows [%]."""

@@ -44,9 +44,9 @@ def draw(dataset: xr.Dataset) -> Figure:
         _panel(ax, groups, series)
     raw.set_ylabel("mean force, raw [N]")
     raw.set_ylim(bottom=0)
-    width.set_ylabel("mean force for a millimetre of width [N/mm]")
+    width.set_ylabel("mean force [N/mm]")
     width.set_yscale("log")
-    for ax, text in ((raw, "experiment 25.4 mm wide, simulation 1 mm"), (width, "same width")):
+    for ax, text in ((raw, "experiment 25.4 mm wide, simulation 1 mm"), (width, "for a millimetre of width")):
         ax.set_title(text, loc="left")
     handles, labels = raw.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=3)

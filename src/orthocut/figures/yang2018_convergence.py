@@ -10,10 +10,11 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
 
 from orthocut.figures.canvas import PAGE, nothing, page, styled
 from orthocut.figures.confidence import Interval, interval, ratio
-from orthocut.figures.palette import BLACK, QUANTITY, SERIES
+from orthocut.figures.palette import AMBER, BLACK, GREEN, PURPLE, QUANTITY, SKY
 from orthocut.figures.tables import Table
 from orthocut.figures.yang2018_comparison import NAMES
 from orthocut.figures.yang2018_paper import FORCES, words
@@ -39,7 +40,7 @@ CAPTION = (
     "and means over the travel up to a place. Bars: 95 % confidence intervals by Student's t. The table compares each "
     "value with the reference of its series packing by packing."
 )
-DIMS = ("part",)
+DIMS = ("sample",)
 PANELS = (
     ("cut_speed", "speed of the tool $v$ [m/s]", 0.0),
     ("joint_damping", "local damping [-]", 0.7),
@@ -49,6 +50,10 @@ PANELS = (
 """Fields, labels, and the value to compare with: the nearest one is the reference of a series."""
 LOGARITHMIC = frozenset({"cut_speed"})
 MARKERS = "osD^v"
+CUTS = (GREEN, SKY, PURPLE, AMBER)
+"""Colours of the cuts of the paper, by depth of cut and surface."""
+ROOM = 2.2
+"""Top of an axis over the largest mean: intervals of few packings may be longer."""
 LEAST = 2
 """Fewest values of a series."""
 
@@ -73,7 +78,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     _replicates(panels[4], found)
     _travel(panels[5], found)
     handles = [
-        Line2D([], [], color=colour, label=words(cut)) for (cut, _), colour in zip(found.items(), SERIES, strict=False)
+        Line2D([], [], color=colour, label=words(cut)) for (cut, _), colour in zip(found.items(), CUTS, strict=False)
     ]
     handles += [
         Line2D([], [], color=QUANTITY[name], marker="o", mfc=face, ls="", label=f"{NAMES[name]} force")
@@ -101,16 +106,17 @@ def _field(ax: Axes, cuts: Sequence[GlassRun], field: str) -> None:
         ax.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
         ax.minorticks_off()
     else:
-        ax.set_xlim(left=0)
-    ax.set_ylim(bottom=0)
+        ax.set_xlim(0, 1.06 * ax.get_xlim()[1] if groups else 1.0)
+    means = [interval(forces(runs, name)).mean for group in groups for runs in group.values() for name in FORCES]
+    ax.set_ylim(0, ROOM * max(means, default=1.0))
 
 
 def _replicates(ax: Axes, found: dict) -> None:
     """Mean of the first replicates over that of all, with its interval."""
     ax.axhspan(0.9, 1.1, color="0.93", zorder=0)
     ax.axhline(1.0, color=BLACK, lw=0.6)
-    most = 1
-    for shift, ((_, runs), colour) in enumerate(zip(found.items(), SERIES, strict=False)):
+    most = 2
+    for shift, ((_, runs), colour) in enumerate(zip(found.items(), CUTS, strict=False)):
         values = forces(runs, FORCES[0])
         if len(values) < 2:
             continue
@@ -121,6 +127,7 @@ def _replicates(ax: Axes, found: dict) -> None:
         ratios, bars = [one.mean / mean for one in known], [one.half / mean for one in known]
         ax.errorbar(places, ratios, yerr=bars, fmt=".-", color=colour, capsize=1.5, elinewidth=0.6, lw=0.8)
     ax.set_xlim(1.5, most + 0.5)
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
     ax.set_ylim(0, 2.5)
     ax.set_xlabel("number of packings [-]")
     ax.set_ylabel("main force over mean of all [-]")
@@ -128,7 +135,7 @@ def _replicates(ax: Axes, found: dict) -> None:
 
 def _travel(ax: Axes, found: dict) -> None:
     """Mean over the travel up to a place, of all replicates."""
-    for (_, runs), colour in zip(found.items(), SERIES, strict=False):
+    for (_, runs), colour in zip(found.items(), CUTS, strict=False):
         parts = [run.parts[FORCES[0]] for run in runs if FORCES[0] in run.parts]
         if not parts:
             continue
@@ -137,7 +144,7 @@ def _travel(ax: Axes, found: dict) -> None:
         ax.plot(travel, running, "-", color=colour)
     ax.set_xlim(left=0)
     ax.set_ylim(bottom=0)
-    ax.set_xlabel("end of the average: travel $s$ [mm]")
+    ax.set_xlabel("travel averaged over [mm]")
     ax.set_ylabel("mean main force [N/mm]")
 
 

@@ -40,6 +40,7 @@ def draw(dataset: xr.Dataset) -> Figure:
         curves.set_title(
             f"$h$ = {depth * 1e3:.3g} mm, {'grooved' if grooved else 'regular'}",
             loc="left",
+            pad=16,
         )
     if not rows:
         nothing(panels[0, 0])
@@ -71,14 +72,16 @@ def _forces(ax, runs: list[xr.Dataset]) -> None:
         for name in FORCES:
             ax.plot(values(run, "tool_travel"), values(run, name), color=QUANTITY[name], lw=0.5, alpha=0.3)
     if len(runs) > 1:
-        ax.plot([], [], color="0.75", lw=0.8, label="other packings")
+        ax.plot([], [], color="0.75", lw=0.8, label="others")
     draw_forces(ax, runs[0], lw=0.8)
     for name in FORCES:
         means = [float(values(run, f"{name}_mean")) for run in runs]
         if np.isfinite(means).any():
-            ax.axhline(np.nanmean(means), color=QUANTITY[name], ls=":", lw=1.0)
+            ax.axhline(np.nanmean(means), color=QUANTITY[name], ls=":", lw=1.2)
         if name in paper:
             ax.axhline(mean(paper[name]), color=QUANTITY[name], ls="--", lw=0.8)
     ax.axhline(0, color="0.4", lw=0.6)
     ax.set_xlim(0, max(np.nanmax(values(run, "tool_travel")) for run in runs))
-    ax.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=3, borderaxespad=0, columnspacing=1.0)
+    for style, text in ((":", "mean"), ("--", "Yang et al.")):
+        ax.plot([], [], color="0.4", ls=style, lw=1.0, label=text)
+    ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=5, borderaxespad=0.2, columnspacing=0.9, handlelength=1.4)

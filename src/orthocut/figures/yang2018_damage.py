@@ -28,6 +28,8 @@ CAPTION = (
     "the cut keep to (full). The table has more: peaks, share of the travel in the air, single grains."
 )
 DIMS = ()
+ROOM = 1.8
+"""Top of an axis over the largest mean: intervals of few packings may be longer."""
 Group = tuple[float, str]
 """Depth of cut [mm] and surface in words."""
 PANELS: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = (
@@ -101,12 +103,13 @@ def draw(dataset: xr.Dataset) -> Figure:
             bars = [one.half if math.isfinite(one.half) else 0.0 for one in known]
             ax.errorbar(places, [one.mean for one in known], yerr=bars, fmt="none", ecolor="black", capsize=2, lw=0.8)
         ax.set_ylabel(text)
-        ax.set_ylim(bottom=0)
+        heights = [bar.get_height() for bar in ax.patches if bar.get_height() > 0]
+        ax.set_ylim(0, ROOM * max(heights, default=1.0))
         ax.grid(axis="x", visible=False)
         ax.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2, borderaxespad=0)
     for ax in panels[1]:
-        labels = [f"{depth:g} mm, {words}" for depth, words in found]
-        ax.set_xticks(range(len(found)), labels, rotation=90, fontsize=6)
+        labels = [f"{depth:g} mm\n" + words.replace(", ", "\n").replace(" apart", "\napart") for depth, words in found]
+        ax.set_xticks(range(len(found)), labels, fontsize=6)
         ax.set_xlabel("depth of cut, surface")
     return figure
 

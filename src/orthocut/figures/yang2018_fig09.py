@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -9,7 +11,7 @@ from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import cases, nothing, page, styled, values
 from orthocut.figures.palette import DISC_FACE, ORANGE
-from orthocut.figures.scene import draw_discs, draw_tool, frame, last_snapshot
+from orthocut.figures.scene import draw_discs, draw_tool, frame
 from orthocut.io.collect import case_of
 
 CAPTION = (
@@ -19,16 +21,10 @@ CAPTION = (
 FIXED = ORANGE
 
 
-def fixed_discs(run: xr.Dataset) -> np.ndarray:
-    """Discs that stay where they are, to the last bit, until the last snapshot; bool, shape (n_discs,)."""
-    last = last_snapshot(run, "disc_x")
-    return np.all([run[name].values[0] == run[name].values[last] for name in ("disc_x", "disc_y")], axis=0)
-
-
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """First cut of the dataset, at its first snapshot."""
-    runs = [run for run in cases(dataset, "disc_x", kind="dem_cutting") if last_snapshot(run, "disc_x") > 0]
+    runs = cases(dataset, "disc_x", "disc_fixed", kind="dem_cutting")
     figure = page(3.6, 4.4)
     ax = figure.subplots()
     if not runs:
@@ -37,16 +33,20 @@ def draw(dataset: xr.Dataset) -> Figure:
 
     run, case = runs[0], case_of(runs[0])
     width, height, depth = (1e3 * size for size in (case.packing.width, case.packing.height, case.cut_depth))
-    fixed = fixed_discs(run)
+    fixed = run["disc_fixed"].values == 1
     draw_discs(ax, run, 0, face=np.where(fixed, FIXED, DISC_FACE), width=0.2)
     tip = float(np.atleast_1d(values(run, "tool_tip_snapshot"))[0])
     draw_tool(ax, case.tool, tip, height - depth, 2 * (width + height))
-    frame(ax, (-0.03 * width, 1.35 * width), (-0.03 * height, 1.15 * height))
-    side = 1.22 * width
-    ax.hlines([height, height - depth], width, 1.3 * width, color="black", lw=0.6, ls="--", zorder=4)
-    arrow = {"arrowstyle": "<->", "lw": 0.8, "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", (side, height), (side, height - depth), arrowprops=arrow, zorder=4)
-    ax.text(side + 0.02 * width, height - 0.5 * depth, f"$h$ = {depth:.3g} mm", va="center", fontsize=7, zorder=4)
+    frame(ax, (-0.03 * width, 1.45 * width), (-0.03 * height, 1.3 * height))
+    ax.hlines([height, height - depth], 0, width, color="black", lw=0.8, ls="--", zorder=4)
+    arrow = {"arrowstyle": "<->", "lw": 0.9, "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", (0.7 * width, height), (0.7 * width, height - depth), arrowprops=arrow, zorder=4)
+    box = {"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1.0}
+    place = (0.66 * width, height - 0.5 * depth)
+    ax.text(*place, f"$h$ = {depth:.3g} mm", ha="right", va="center", fontsize=7, bbox=box, zorder=4)
+    angles = (math.degrees(case.tool.rake_angle), math.degrees(case.tool.clearance_angle))
+    words = f"rake angle {angles[0]:.3g}°\nclearance angle {angles[1]:.3g}°"
+    ax.text(1.43 * width, height + 0.2 * height, words, ha="right", va="center", fontsize=7, color="white", zorder=4)
     count = int(np.isfinite(run["disc_radius"].values).sum())
     spots = [Line2D([], [], color=colour, marker="o", ls="", mec="0.4", mew=0.4) for colour in (DISC_FACE, FIXED)]
     ax.legend(

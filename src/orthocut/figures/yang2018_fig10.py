@@ -35,7 +35,7 @@ def outlines(case: DemCutting) -> list[np.ndarray]:
 
 def shape_words(grooves: Grooves) -> str:
     """Shape and distance of grooves in words."""
-    shape = "rectangles" if grooves.bottom_ratio == 1 else f"trapezoids, foot {grooves.bottom_ratio:g} of the width"
+    shape = "rectangles" if grooves.bottom_ratio == 1 else f"foot {grooves.bottom_ratio:g} of the width"
     return f"{shape}, {1e3 * grooves.distance:g} mm apart"
 
 
@@ -46,13 +46,16 @@ def draw(dataset: xr.Dataset) -> Figure:
     for run in cases(dataset, "disc_x", kind="dem_cutting"):
         case = case_of(run)
         if case.grooves is not None:
-            shown.setdefault((case.cut_depth, *case.grooves.model_dump().values()), run)
+            grooves = case.grooves
+            key = (case.cut_depth, -grooves.bottom_ratio, -grooves.distance, grooves.width)
+            shown.setdefault(key, run)
     rows = max(math.ceil(len(shown) / COLUMNS), 1)
-    figure = page(1.9 * rows + 0.3, PAGE)
-    panels = figure.subplots(rows, COLUMNS, squeeze=False).flat
+    figure = page(1.55 * rows + 0.1, PAGE)
+    panels = list(figure.subplots(rows, COLUMNS, squeeze=False).flat)
+    deepest = max((key[0] for key in shown), default=0.0)
     for ax, (_, run) in zip(panels, sorted(shown.items()), strict=False):
-        _panel(ax, run)
-    for ax in list(panels)[len(shown) :] if shown else []:
+        _panel(ax, run, 1e3 * deepest)
+    for ax in panels[len(shown) :] if shown else []:
         ax.set_axis_off()
     if not shown:
         for ax in figure.axes:
@@ -60,11 +63,11 @@ def draw(dataset: xr.Dataset) -> Figure:
     return figure
 
 
-def _panel(ax, run: xr.Dataset) -> None:
+def _panel(ax, run: xr.Dataset, deepest: float) -> None:
     case = case_of(run)
     width, height, depth = (1e3 * size for size in (case.packing.width, case.packing.height, case.cut_depth))
     draw_discs(ax, run, 0, width=0.2)
     for corners in outlines(case):
         ax.add_patch(Polygon(corners, closed=True, fc="none", ec=ORANGE, lw=1.0, zorder=3))
-    frame(ax, (-0.02 * width, 1.02 * width), (height - 2.5 * depth, height + 0.4 * depth))
+    frame(ax, (-0.02 * width, 1.02 * width), (height - 2.0 * deepest, height + 0.2 * deepest))
     ax.set_title(f"$h$ = {depth:.3g} mm\n{shape_words(case.grooves)}", loc="left", fontsize=7)

@@ -46,6 +46,8 @@ def glass_of(dataset: xr.Dataset) -> Glass:
 def agrees(known: Interval, low: float, high: float | None = None) -> str:
     """Verdict on a number: inside the paper's value or range, widened by the band, or outside of it.
 
+    A single run is outside or undecided, never inside.
+
     Parameters
     ----------
     known : Interval
@@ -63,17 +65,23 @@ def agrees(known: Interval, low: float, high: float | None = None) -> str:
 
 
 def below(known: Interval, limit: float) -> str:
-    """Verdict on being less than a limit, interval included."""
-    if known.count > 1 and known.mean + known.half < limit:
-        return REPRODUCED
-    return NOT_REPRODUCED if not known.mean < limit else UNDECIDED
+    """Verdict on being less than a limit, interval included; what is known well and is not less is not reproduced."""
+    return _beyond(known, limit - known.mean, known.mean)
 
 
 def above(known: Interval, limit: float) -> str:
-    """Verdict on being more than a limit, interval included."""
-    if known.count > 1 and known.mean - known.half > limit:
+    """Verdict on being more than a limit, interval included; what is known well and is not more is not reproduced."""
+    return _beyond(known, known.mean - limit, known.mean)
+
+
+def _beyond(known: Interval, margin: float, size: float) -> str:
+    """Verdict on a margin that should be positive, of a number of some size."""
+    if known.count < 2:
+        return UNDECIDED
+    if margin > known.half:
         return REPRODUCED
-    return NOT_REPRODUCED if not known.mean > limit else UNDECIDED
+    known_well = known.half <= VAGUE * abs(size)
+    return NOT_REPRODUCED if margin < -known.half or (margin <= 0 and known_well) else UNDECIDED
 
 
 def worst(verdicts: Sequence[str]) -> str:
@@ -90,9 +98,14 @@ def over(first: Sequence[GlassRun], second: Sequence[GlassRun], name: str) -> In
 
 
 def said(known: Interval, unit: str = "") -> str:
-    """Mean, half-width of its interval and number of replicates in words."""
-    half = f" ± {known.half:.2g}" if math.isfinite(known.half) else ""
-    return f"{known.mean:.3g}{half}{f' {unit}' if unit else ''}"
+    """Mean and half-width of its interval in words."""
+    half = f" ± {_digits(known.half, 2)}" if math.isfinite(known.half) else ""
+    return f"{_digits(known.mean, 3)}{half}{f' {unit}' if unit else ''}"
+
+
+def _digits(number: float, digits: int) -> str:
+    """Number with some digits, never with an exponent where it is large."""
+    return f"{number:.0f}" if abs(number) >= 10**digits else f"{number:.{digits}g}"
 
 
 def deviation(ours: float, paper: float) -> float:

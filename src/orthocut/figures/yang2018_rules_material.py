@@ -14,7 +14,9 @@ from orthocut.figures.yang2018_runs import GlassRun, as_printed
 def _specimens(glass: Glass, row: Property, printed: bool) -> list[GlassRun]:
     """Tests of a property with the finest discs that there are, smooth platens."""
     runs = glass.tension if row.kind == "dem_tension" else glass.compression
-    runs = [run for run in runs if as_printed(run) == printed and not getattr(run.case, "friction_platen", 0.0)]
+    runs = [
+        run for run in runs if as_printed(run.case.joint) == printed and not getattr(run.case, "friction_platen", 0.0)
+    ]
     finest = min((run.case.packing.radius_min for run in runs), default=0.0)
     return [run for run in runs if run.case.packing.radius_min == finest]
 

@@ -18,8 +18,9 @@ from orthocut.io.collect import case_of, parameters
 from orthocut.params.dem import DemCompression, DemCutting, DemTension, FlatJoint, Grooves
 from orthocut.variables import VARIABLES
 
-PARTS = 10
-"""Equal parts of the travel of which `condense` keeps the mean forces."""
+PARTS, EARLY = 8, 6
+"""Equal parts of the travel of which `condense` keeps the mean forces, and those before the tool nears the fixed side:
+from there on chips are crushed between the two."""
 NUMERICAL = ("damping", "time_step_factor")
 """Fields of the joints that belong to the method, not to the material."""
 
@@ -53,7 +54,7 @@ def runs_of(dataset: xr.Dataset, kind: str, *needed: str) -> list[GlassRun]:
 def _run(run: xr.Dataset) -> GlassRun:
     single = [name for name, data in run.data_vars.items() if not data.dims and data.dtype.kind in "fiu"]
     numbers = {name: float(run[name]) * (VARIABLES[name].scale if name in VARIABLES else 1.0) for name in single}
-    parts = {name: 1e-3 * run[f"{name}_parts"].values for name in FORCES if f"{name}_parts" in run}
+    parts = {name: 1e-3 * run[f"{name}_parts"].values[:PARTS] for name in FORCES if f"{name}_parts" in run}
     return GlassRun(case_of(run), numbers, parts)
 
 
@@ -63,26 +64,26 @@ def cuts_of(dataset: xr.Dataset) -> list[GlassRun]:
 
 
 def condense(run: xr.Dataset) -> xr.Dataset:
-    """Run with its mean forces in equal parts of the travel and what tells of peaks, without its history.
+    """Run with its mean forces in equal parts of the travel, in place of its history, and what tells of peaks.
 
-    Added are, for both forces, the means in parts; for the cutting force, the number of its excursions above its mean
-    and the standard deviation of the history over its mean.
+    Added are, for both forces, the means in parts, as a history of few samples; for the cutting force, the number of
+    its excursions above its mean and the standard deviation of the history over its mean. Tests lose their history.
     """
-    if not {*FORCES, "tool_travel"} <= set(run.variables):
-        return run
+    if not set(FORCES) <= set(run.variables):
+        return run.drop_dims("sample", errors="ignore")
     found = {}
     for name in FORCES:
         force = run[name].values[np.isfinite(run[name].values)]
         means = np.array([part.mean() for part in np.array_split(force, PARTS)]) if force.size >= PARTS else np.nan
         words = {"units": "N/m", "long_name": f"mean {name.replace('force_', '')} force in equal parts of the travel"}
-        found[f"{name}_parts"] = ("part", np.broadcast_to(means, PARTS), words)
+        found[f"{name}_parts"] = ("sample", np.broadcast_to(means, PARTS), words)
     cutting = run["force_cutting"].values
     above = cutting[np.isfinite(cutting)] > np.nanmean(cutting)
     words = {"units": "1", "long_name": "excursions of the cutting force above its mean"}
     found["force_cutting_excursions"] = ((), float(np.sum(above[1:] & ~above[:-1]) + above[0]), words)
     words = {"units": "1", "long_name": "standard deviation of the cutting force over its mean"}
     found["force_cutting_variation"] = ((), float(np.nanstd(cutting) / np.nanmean(cutting)), words)
-    return run.assign(found)
+    return run.drop_dims("sample").assign(found)
 
 
 def condition(run: GlassRun) -> Condition:
@@ -90,15 +91,15 @@ def condition(run: GlassRun) -> Condition:
     return round(1e3 * run.case.cut_depth, 9), run.case.grooves is not None
 
 
-def as_printed(run: GlassRun) -> bool:
-    """Whether the material is that of Table 1 as printed."""
+def as_printed(joint: FlatJoint) -> bool:
+    """Whether joints are those of Table 1 as printed, whatever their damping and time step."""
     usual = {name: getattr(FlatJoint(), name) for name in NUMERICAL}
-    return run.case.joint.model_copy(update=usual) == FlatJoint()
+    return joint.model_copy(update=usual) == FlatJoint()
 
 
 def material_words(run: GlassRun) -> str:
     """Name of the material."""
-    return "Table 1 as printed" if as_printed(run) else "calibrated"
+    return "Table 1 as printed" if as_printed(run.case.joint) else "calibrated"
 
 
 def usual(cuts: Sequence[GlassRun]) -> list[GlassRun]:
@@ -156,6 +157,11 @@ def forces(cuts: Sequence[GlassRun], name: str, what: str = "mean") -> list[floa
         ``mean``, ``contact``, ``peak`` or ``rms``.
     """
     return [cut[f"{name}_{what}"] for cut in cuts]
+
+
+def early(cuts: Sequence[GlassRun], name: str) -> list[float]:
+    """Mean of a force over the first three quarters of the travel of each cut [N/mm]; NaN where it is not known."""
+    return [float(np.mean(cut.parts.get(name, np.full(PARTS, np.nan))[:EARLY])) for cut in cuts]
 
 
 def paired(runs: Sequence[GlassRun], others: Sequence[GlassRun], name: str) -> tuple[list[float], list[float]]:

@@ -12,8 +12,8 @@ from orthocut.figures.canvas import PAGE, cases, nothing, page, styled
 from orthocut.figures.palette import BLACK, BLUE, ORANGE
 from orthocut.figures.tables import Table
 from orthocut.figures.yang2018_paper import TABLE_1, Parameter
+from orthocut.figures.yang2018_runs import as_printed
 from orthocut.io.collect import case_of, parameters
-from orthocut.params.dem import FlatJoint
 
 CAPTION = (
     "Parameters of the synthetic glass over those printed in Yang et al. (2018), Table 1: runs with the printed joints "
@@ -28,7 +28,7 @@ def materials(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
     found: dict[str, dict[str, Any]] = {}
     for run in [*cases(dataset, kind="dem_tension"), *cases(dataset, kind="dem_compression")]:
         case = case_of(run)
-        name = "as printed" if case.joint == FlatJoint() else "calibrated"
+        name = "as printed" if as_printed(case.joint) else "calibrated"
         found.setdefault(name, parameters(case))
     return {name: found[name] for name in COLOURS if name in found}
 
@@ -54,6 +54,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax.set_yticks(range(len(TABLE_1)), [f"{row.words} ${row.symbol}$" for row in TABLE_1])
     ax.set_ylim(len(TABLE_1) - 0.5, -0.5)
     ax.set_xlim(left=0)
+    ax.set_ylabel("parameter")
     ax.set_xlabel("value used here over value printed [-]")
     ax.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
     return figure

@@ -15,14 +15,18 @@ from orthocut.figures.confidence import interval, needed
 from orthocut.figures.palette import BLACK, QUANTITY
 from orthocut.figures.tables import Table
 from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, SIMULATION, WIDTHS, mean
-from orthocut.figures.yang2018_runs import conditions, cuts_of, forces
+from orthocut.figures.yang2018_runs import condense, conditions, cuts_of, early, forces
+
+__all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 
 CAPTION = (
     "Mean cutting and thrust force of four cuts for a millimetre of width: replicates (dots), their means and the 95 % "
     "confidence intervals of these by Student's t (bars), and the replicates of Yang et al. (2018), Table 4 (crosses), "
     "with their means (lines)."
 )
-DIMS = ()
+DIMS = ("sample",)
+ROOM = 1.3
+"""Top of an axis over the largest replicate: intervals of few packings may be longer."""
 GOAL = 0.1
 """Half-width of the confidence interval over the mean that is aimed at."""
 
@@ -50,12 +54,17 @@ def draw(dataset: xr.Dataset) -> Figure:
         )
         ax.set_xlabel("depth of cut, surface")
         ax.set_ylabel(f"{text} [N/mm]")
-        ax.set_ylim(bottom=min(0, ax.get_ylim()[0]))
+        drawn = [
+            value
+            for cut in cuts
+            for value in (*SIMULATION.get(cut, {}).get(name, ()), *forces(found.get(cut, []), name))
+        ]
+        ax.set_ylim(min(0.0, *drawn), ROOM * max(drawn))
         ax.grid(axis="x", visible=False)
         handles = [
             Line2D([], [], color=QUANTITY[name], marker="o", ms=3, ls="", label="replicate"),
             Line2D([], [], color=QUANTITY[name], marker="_", label="mean"),
-            Line2D([], [], color=BLACK, marker="x", label="Yang et al."),
+            Line2D([], [], color=BLACK, marker="x", ls="", label="Yang et al."),
         ]
         ax.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
     return figure
@@ -65,7 +74,8 @@ def tabulate(dataset: xr.Dataset) -> Table:
     """Replicates, their mean and its confidence interval, other averages, and what the paper has."""
     header = ["depth of cut [mm]", "surface", "force", "replicates [N/mm]", "number", "mean [N/mm]"]
     header += ["95 % half-width [N/mm]", "half-width over mean [%]", "replicates for 10 %"]
-    header += ["standard deviation [N/mm]", "mean in contact [N/mm]", "rms [N/mm]", "peak, mean of replicates [N/mm]"]
+    header += ["standard deviation [N/mm]", "mean of first three quarters of travel [N/mm]", "95 % half-width [N/mm]"]
+    header += ["mean in contact [N/mm]", "rms [N/mm]", "peak, mean of replicates [N/mm]"]
     header += ["in the air [% of travel]", "paper: replicates [N/mm]", "paper: mean [N/mm]"]
     header += ["mean over paper's mean [-]", "experiment, for 1 mm [N/mm]"]
     found, rows = conditions(cuts_of(dataset)), []
@@ -81,6 +91,7 @@ def tabulate(dataset: xr.Dataset) -> Table:
             [
                 *(f"{cut[0]:g}", "grooved" if cut[1] else "regular", name.removeprefix("force_"), listed[0]),
                 *(known.count, known.mean, known.half, 100 * known.relative, needed(ours, GOAL), known.spread),
+                *interval(early(runs, name))[:2],
                 *(*others, _mean([run["air_share"] for run in runs]), listed[1], reference),
                 *(known.mean / reference, real),
             ]

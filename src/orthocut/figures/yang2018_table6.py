@@ -7,6 +7,7 @@ from itertools import product
 
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from orthocut.figures.canvas import page, styled
 from orthocut.figures.confidence import interval
@@ -42,11 +43,20 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax.axhline(1.0, color=BLACK, lw=0.8)
     ax.axhline(WIDTHS["experiment"], color=BLACK, lw=0.8, ls=":")
     ax.set_yscale("log")
+    ax.set_ylim(bottom=0.7)
     ax.set_ylabel("simulated over measured force [-]")
     labels = [f"{cut[0]:g} mm\n{'grooved' if cut[1] else 'regular'}\n{NAMES[name]}" for cut, name in groups]
     ax.set_xticks(range(len(groups)), labels, fontsize=6)
     ax.set_xlabel("depth of cut, surface, force")
     ax.grid(axis="x", visible=False)
+    ax.text(0.01, 1.0, "agreement", transform=ax.get_yaxis_transform(), va="bottom", fontsize=6)
+    raw = WIDTHS["experiment"]
+    ax.text(0.01, raw, "agreement of raw newtons", transform=ax.get_yaxis_transform(), va="bottom", fontsize=6)
+    handles = [
+        Line2D([], [], color="0.4", marker="o", mfc=face, ls="", label=text)
+        for face, text in (("white", "Yang et al."), ("0.4", "this work"))
+    ]
+    ax.legend(handles=handles, loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
     return figure
 
 
