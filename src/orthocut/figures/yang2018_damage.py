@@ -109,7 +109,7 @@ def draw(dataset: xr.Dataset) -> Figure:
         ax.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2, borderaxespad=0)
     for ax in panels[1]:
         labels = [f"{depth:g} mm\n" + words.replace(", ", "\n").replace(" apart", "\napart") for depth, words in found]
-        ax.set_xticks(range(len(found)), labels, fontsize=6)
+        ax.set_xticks(range(len(found)), labels, fontsize=5)
         ax.set_xlabel("depth of cut, surface")
     return figure
 

@@ -49,9 +49,8 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax.set_xticks(range(len(groups)), labels, fontsize=6)
     ax.set_xlabel("depth of cut, surface, force")
     ax.grid(axis="x", visible=False)
-    ax.text(0.01, 1.0, "agreement", transform=ax.get_yaxis_transform(), va="bottom", fontsize=6)
-    raw = WIDTHS["experiment"]
-    ax.text(0.01, raw, "agreement of raw newtons", transform=ax.get_yaxis_transform(), va="bottom", fontsize=6)
+    for place, text in ((1.0, "agreement"), (WIDTHS["experiment"], "agreement of\nraw newtons")):
+        ax.text(1.01, place, text, transform=ax.get_yaxis_transform(), va="center", fontsize=6)
     handles = [
         Line2D([], [], color="0.4", marker="o", mfc=face, ls="", label=text)
         for face, text in (("white", "Yang et al."), ("0.4", "this work"))
