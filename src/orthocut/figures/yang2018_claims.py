@@ -15,9 +15,8 @@ from orthocut.figures.canvas import PAGE, page, styled
 from orthocut.figures.nairn2015_finding import NOT_REPRODUCED, NOT_TESTED, REPRODUCED, Finding
 from orthocut.figures.palette import AMBER, GREEN, ORANGE
 from orthocut.figures.tables import Table
-from orthocut.figures.yang2018_comparison import NAMES
 from orthocut.figures.yang2018_finding import UNDECIDED, Rule, glass_of
-from orthocut.figures.yang2018_paper import FORCES, SIMULATION, TABLE_2, mean, words
+from orthocut.figures.yang2018_paper import FORCES, NAMES, SIMULATION, TABLE_2, mean, words
 from orthocut.figures.yang2018_runs import condense
 
 __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from orthocut.figures.canvas import PAGE, nothing, page, styled
 from orthocut.figures.confidence import interval
 from orthocut.figures.palette import BLACK, BLUE, SKY
-from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, SIMULATION, WIDTHS, Cut, mean
+from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, NAMES, SIMULATION, WIDTHS, Cut, mean
 from orthocut.figures.yang2018_runs import GlassRun, conditions, cuts_of, forces
 
 CAPTION = (
@@ -23,7 +23,6 @@ CAPTION = (
     "10 to 24 times those of its experiments. Bars: 95 % confidence intervals by Student's t."
 )
 DIMS = ()
-NAMES = {"force_cutting": "main", "force_thrust": "thrust"}
 SOURCES = (("experiment", BLACK, "D"), ("paper's simulation", SKY, "s"), ("this work", BLUE, "o"))
 
 

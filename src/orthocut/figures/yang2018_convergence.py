@@ -16,8 +16,7 @@ from orthocut.figures.canvas import PAGE, nothing, page, styled
 from orthocut.figures.confidence import Interval, interval, ratio
 from orthocut.figures.palette import AMBER, BLACK, GREEN, PURPLE, QUANTITY, SKY
 from orthocut.figures.tables import Table
-from orthocut.figures.yang2018_comparison import NAMES
-from orthocut.figures.yang2018_paper import FORCES, words
+from orthocut.figures.yang2018_paper import FORCES, NAMES, words
 from orthocut.figures.yang2018_runs import (
     PARTS,
     GlassRun,

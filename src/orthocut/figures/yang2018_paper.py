@@ -8,7 +8,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 FORCES = ("force_cutting", "force_thrust")
-"""Main and thrust force, in the words of the paper."""
+"""The two components of the force on the tool."""
+NAMES = {"force_cutting": "main", "force_thrust": "thrust"}
+"""What the paper calls them."""
 WIDTHS = {"simulation": 1.0, "experiment": 25.4}
 """Widths of the cuts [mm]."""
 Cut = tuple[float, bool]

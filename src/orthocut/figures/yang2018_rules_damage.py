@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from orthocut.figures.confidence import Interval
 from orthocut.figures.nairn2015_finding import Finding
@@ -34,16 +33,8 @@ def _grooved_over_regular(glass: Glass, name: str) -> list[Interval] | None:
         grooved, regular = (glass.conditions.get((depth, surface), []) for surface in (GROOVED, REGULAR))
         if not grooved or not regular:
             return None
-        found.append(over(_with_sums(grooved), _with_sums(regular), name))
+        found.append(over(grooved, regular, name))
     return found
-
-
-def _with_sums(runs: Sequence[GlassRun]) -> list[GlassRun]:
-    """Runs that also tell the sum of both kinds of cracks."""
-    for run in runs:
-        for place in ("total", "below"):
-            run.numbers[f"cracks_{place}"] = run[f"cracks_tension_{place}"] + run[f"cracks_shear_{place}"]
-    return list(runs)
 
 
 def _both(found: list[Interval]) -> str:

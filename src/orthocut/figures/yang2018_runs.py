@@ -21,6 +21,8 @@ from orthocut.variables import VARIABLES
 PARTS, EARLY = 8, 6
 """Equal parts of the travel of which `condense` keeps the mean forces, and those before the tool nears the fixed side:
 from there on chips are crushed between the two."""
+SUMS = {f"cracks_{place}": (f"cracks_tension_{place}", f"cracks_shear_{place}") for place in ("total", "below")}
+"""Sums of numbers of a run, by name."""
 NUMERICAL = ("damping", "time_step_factor")
 """Fields of the joints that belong to the method, not to the material."""
 
@@ -36,7 +38,9 @@ class GlassRun:
     """Mean forces in equal parts of the travel [N/mm]."""
 
     def __getitem__(self, name: str) -> float:
-        """Number of that name."""
+        """Number of that name, or sum of both kinds of cracks."""
+        if name in SUMS:
+            return sum(self[part] for part in SUMS[name])
         return self.numbers.get(name, math.nan)
 
     @property

@@ -13,8 +13,8 @@ from orthocut.figures.canvas import page, styled
 from orthocut.figures.confidence import interval
 from orthocut.figures.palette import BLACK, QUANTITY
 from orthocut.figures.tables import Table
-from orthocut.figures.yang2018_comparison import NAMES, factor
-from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, SIMULATION, WIDTHS, mean
+from orthocut.figures.yang2018_comparison import factor
+from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, NAMES, SIMULATION, WIDTHS, mean
 from orthocut.figures.yang2018_runs import conditions, cuts_of, forces
 
 CAPTION = (
