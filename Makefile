@@ -3,6 +3,7 @@
 PYTHON ?= python3
 CORES ?= all
 STUDY ?= quick
+PAPER ?= nairn2015
 TEST_JOBS ?= 2
 PUBLISHED := nairn2015_fig03b nairn2015_fig04 nairn2015_fig05 nairn2015_fig08 energy_balance \
 	yang2018_fig07 yang2018_fig08 yang2018_fig11 yang2018_fig13 yang2018_table4
@@ -19,7 +20,7 @@ PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found";
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
-	@echo "Variables: STUDY=quick CORES=all PYTHON=python3"
+	@echo "Variables: STUDY=quick PAPER=nairn2015 CORES=all PYTHON=python3"
 
 $(STAMP): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || \
@@ -61,16 +62,16 @@ publish: figures ## copy some pictures and all tables of the study to results/pu
 	@rm -rf results/published/store
 	@$(BIN)/orthocut store export results/published/store --study $(STUDY)
 
-figures-paper: $(STAMP) ## draw the figures of Nairn (2015) anew from their published datasets, in seconds
-	@$(BIN)/orthocut redraw results/published/nairn2015 --output results/figures-paper
+figures-paper: $(STAMP) ## draw the figures of a paper anew from their published datasets, in seconds (PAPER=nairn2015)
+	@$(BIN)/orthocut redraw results/published/$(PAPER) --output results/figures-paper
 
-publish-paper: ## run the study of Nairn (2015) and copy its datasets, figures, tables and results
-	@$(MAKE) figures STUDY=nairn2015
-	@rm -rf results/published/nairn2015 && mkdir -p results/published/nairn2015
-	@for path in results/datasets/nairn2015_*.nc results/figures/nairn2015_*.png results/tables/nairn2015_*; do \
-		name=$${path##*/nairn2015_}; cp $$path results/published/nairn2015/$$name; done
-	@rm -f results/published/nairn2015/animation.*
-	@cp results/tables/run_times.csv results/published/nairn2015
+publish-paper: ## run the study of a paper and copy its datasets, figures, tables and results (PAPER=nairn2015, yang2018)
+	@$(MAKE) figures STUDY=$(PAPER)
+	@rm -rf results/published/$(PAPER) && mkdir -p results/published/$(PAPER)
+	@for path in results/datasets/$(PAPER)_*.nc results/figures/$(PAPER)_*.png results/tables/$(PAPER)_*; do \
+		name=$${path##*/$(PAPER)_}; cp $$path results/published/$(PAPER)/$$name; done
+	@rm -f results/published/$(PAPER)/animation.*
+	@cp results/tables/run_times.csv results/published/$(PAPER)
 
 report: figures ## one HTML page with all figures and tables: results/report.html
 	@$(BIN)/snakemake report --cores $(CORES) --config study=$(STUDY)

@@ -51,6 +51,7 @@ FIELDS: dict[str, dict[str, Range]] = {
         "joint.elements": Range(1, 4),
         "grooves.width": Range(40, 100, "um"),
         "grooves.distance": Range(50, 300, "um"),
+        "grooves.bottom_ratio": Range(0, 1),
     },
     "dem_tension": {
         "packing.width": Range(500, 2000, "um"),

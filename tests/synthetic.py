@@ -144,7 +144,16 @@ def dem_cut_run(snapshots=2, cracks=80, wall_time=7.0, **values):
         "force_cutting_mean": ((), cutting.mean()),
         "force_thrust_mean": ((), thrust.mean()),
         "force_cutting_error": ((), cutting.std() / 14),
+        **{f"{name}_peak": ((), 5 * mean) for name, mean in (("force_cutting", force), ("force_thrust", 0.7 * force))},
+        "air_share": ((), 0.1),
         "damage_depth": ((), 0.1e-3),
+        "damage_depth_most": ((), 0.08e-3),
+        **{
+            f"cracks_{mode}_{place}": ((), cracks // 4) for mode in ("tension", "shear") for place in ("total", "below")
+        },
+        "chip_count": ((), 7),
+        "chip_area_largest": ((), 0.01e-6),
+        "chip_area_total": ((), 0.03e-6),
     }
     x, y, radius, first, second = _discs(case, snapshots, random)
     floor = case.packing.height - case.cut_depth
@@ -155,6 +164,7 @@ def dem_cut_run(snapshots=2, cracks=80, wall_time=7.0, **values):
     crack_y = floor + 0.05e-3 * random.standard_normal(cracks)
     duration = case.travel / case.cut_speed
     data |= _scene(case, snapshots, random, x, y, radius, first, second, crack_x, crack_y, duration)
+    data["disc_fixed"] = (("disc",), (np.minimum(x[0], y[0]) < 2 * radius).astype(np.int8))
     data["tool_tip_snapshot"] = (("snapshot",), case.packing.width - np.linspace(0, case.travel, snapshots))
     return _finish(case, data, wall_time)
 
@@ -178,7 +188,9 @@ def dem_test_run(kind="dem_tension", cracks=40, wall_time=5.0, **values):
         "stress_grip": (HISTORY, sign * stress * 1.01),
         "modulus_young": ((), 71e9),
         "ratio_poisson": ((), 0.23),
-        "strength_ultimate": ((), sign * stress.max()),
+        "strength_ultimate": ((), stress.max()),
+        "cracks_tension_total": ((), cracks // 2),
+        "cracks_shear_total": ((), cracks // 3),
         **_scene(case, 2, random, x, y, radius, first, second, crack_x, crack_y, 1e-3),
     }
     return _finish(case, data, wall_time)

@@ -106,8 +106,9 @@ VARIABLES: dict[str, Variable] = {
     "joint_density": Variable(r"\rho", "kg/m3", "density of the discs"),
     "joint_damping": Variable("", "1", "local damping coefficient"),
     "joint_time_step_factor": Variable("", "1", "time step factor"),
-    "groove_width": Variable("", "m", "width of a groove", *_MM),
-    "groove_distance": Variable("", "m", "clear distance between grooves", *_MM),
+    "groove_width": Variable("", "m", "width of a groove at the surface", *_MM),
+    "groove_bottom_ratio": Variable("", "1", "width of a groove at its bottom over that at the surface"),
+    "groove_distance": Variable("", "m", "clear distance between grooves at the surface", *_MM),
     "grip_speed": Variable("v", "m/s", "speed of a grip", "mm/s", 1e3),
     "grip_ratio": Variable("", "1", "height of a grip over height of the specimen"),
     "drop_fraction": Variable("", "1", "fraction of the peak stress at which a test ends"),
@@ -168,6 +169,9 @@ VARIABLES: dict[str, Variable] = {
     "force_thrust_rms": Variable(
         r"F_{t,rms}", "N/m", "root mean square of the interval means of the thrust force", *_N_MM
     ),
+    "force_cutting_contact": Variable(r"F_c^{con}", "N/m", "mean cutting force while the tool is in contact", *_N_MM),
+    "force_thrust_contact": Variable(r"F_t^{con}", "N/m", "mean thrust force while the tool is in contact", *_N_MM),
+    "air_share": Variable("a", "1", "share of the travel in which the tool is in the air", "%", 100.0),
     "force_cutting_drift": Variable(r"\delta_F", "1", "drift of the cutting force in the window, over its mean"),
     "window_start": Variable("s_0", "m", "travel from which averages are taken", *_MM),
     "chip_thickness_ratio": Variable("h_c/h", "1", "thickness of the chip over depth of cut"),
@@ -203,6 +207,14 @@ VARIABLES: dict[str, Variable] = {
     "coordination": Variable("z", "1", "mean number of contacts of a disc"),
     "floaters": Variable("N_f", "1", "number of discs with fewer than three contacts"),
     "damage_depth": Variable("d", "m", "depth of the deepest crack below the cut", *_MM),
+    "damage_depth_most": Variable("d_{95}", "m", "depth that 95 % of the cracks below the cut keep to", *_MM),
+    "cracks_tension_below": Variable("N_t^b", "1", "number of elements broken in tension below the cut"),
+    "cracks_shear_below": Variable("N_s^b", "1", "number of elements broken in shear below the cut"),
+    "chip_count": Variable("N_c", "1", "number of chips of two discs or more"),
+    "chip_area_largest": Variable("A_{max}", "m2", "area of the largest chip", "mm$^2$", 1e6),
+    "chip_area_total": Variable(r"\Sigma A", "m2", "area of all chips of two discs or more", "mm$^2$", 1e6),
+    "grain_count": Variable("N_1", "1", "number of single discs that came off"),
+    "grain_area_total": Variable(r"\Sigma A_1", "m2", "area of single discs that came off", "mm$^2$", 1e6),
     # material points and discs in snapshots
     "time_snapshot": Variable("t", "s", "time of the snapshot", *_MS),
     "point_x": Variable("x", "m", "position along the cut", *_MM),
@@ -215,10 +227,12 @@ VARIABLES: dict[str, Variable] = {
     "disc_x": Variable("x", "m", "position along the cut", *_MM),
     "disc_y": Variable("y", "m", "position across the cut", *_MM),
     "disc_radius": Variable("R", "m", "radius", "um", 1e6),
+    "disc_fixed": Variable("", "1", "whether the disc is fixed (1) or free (0)"),
     "bond_first": Variable("i", "1", "index of the first disc of a joint"),
     "bond_second": Variable("j", "1", "index of the second disc of a joint"),
     "bond_kind": Variable("k", "1", "kind of a joint as installed: 0 bonded, 1 gapped, 2 slit"),
     "bond_intact": Variable(r"\phi_b", "1", "fraction of the elements of a joint that are bonded"),
+    "chip_area": Variable("A", "m2", "area of a chip", "mm$^2$", 1e6),
     "crack_x": Variable("x", "m", "place of the crack along the cut", *_MM),
     "crack_y": Variable("y", "m", "place of the crack across the cut", *_MM),
     "crack_normal": Variable(r"\theta", "rad", "direction of the crack normal to the x axis", *_DEG),
@@ -236,6 +250,7 @@ FLAGS = {
     "fit_converged": "no yes",
     "bond_kind": "bonded gapped slit",
     "grooved": "regular grooved",
+    "disc_fixed": "free fixed",
 }
 """Meanings of 0, 1, ... for variables that are flags."""
 

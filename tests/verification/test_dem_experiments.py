@@ -8,7 +8,7 @@ import sys
 import numpy as np
 import pytest
 
-from orthocut.dem.packing import pack
+from orthocut.dem.packing import PackedDiscs, pack
 from orthocut.experiments import dem_compression, dem_cutting, dem_specimen, dem_tension
 from orthocut.io.netcdf import read, write
 from orthocut.measure.guard import Diverged
@@ -99,6 +99,21 @@ def test_cut_breaks_joints_in_both_modes_and_logs_them(cut):
     assert len(np.unique(cut.crack_bond.values)) == (cut.bond_intact.values[-1] < 1).sum()
 
 
+def test_cut_tells_its_damage_its_chips_and_its_contact(cut):
+    below = cut.crack_y.values < 0.24e-3
+    shear = cut.crack_mode.values[below].sum()
+    assert (int(cut.cracks_tension_below), int(cut.cracks_shear_below)) == (below.sum() - shear, shear)
+    assert float(cut.damage_depth) == pytest.approx(max(0.24e-3 - cut.crack_y.values.min(), 0))
+    assert 0 <= float(cut.damage_depth_most) <= float(cut.damage_depth)
+    assert int(cut.chip_count) == len(cut.chip_area) > 0
+    assert float(cut.chip_area_total) == pytest.approx(cut.chip_area.values.sum())
+    assert float(cut.chip_area_largest) == cut.chip_area.values[0]
+    assert float(cut.chip_area_total + cut.grain_area_total) < 0.5 * np.pi * (cut.disc_radius.values**2).sum()
+    air = float(cut.air_share)
+    assert 0 <= air < 1
+    assert float(cut.force_cutting_contact) * (1 - air) == pytest.approx(float(cut.force_cutting_mean), rel=0.01)
+
+
 def test_tool_pushes_the_block_along_its_motion_and_reports_it(cut):
     assert float(cut.force_cutting_mean) == pytest.approx(float(cut.force_cutting.mean()), rel=1e-12)
     assert float(cut.force_cutting_mean) > 0
@@ -115,7 +130,7 @@ def test_fixed_discs_stay_and_grooves_have_the_depth_of_the_cut():
     case = load("dem_cutting", {**BLOCK, "packing.width": "0.6 mm", "grooves": {}})
     packed = pack(case.packing)
     keep = dem_cutting.select_discs(case, packed)
-    (left, right), *more = dem_cutting.groove_edges(case)
+    (left, right), *more = case.grooves.edges(case.packing.width)
     assert (left, right) == pytest.approx((0.34e-3, 0.4e-3))
     assert more == [pytest.approx((0.08e-3, 0.14e-3))]
     removed = packed.y[~keep]
@@ -127,6 +142,20 @@ def test_fixed_discs_stay_and_grooves_have_the_depth_of_the_cut():
     assert fixed.sum() > 10
     assert np.array_equal(x[0, fixed], x[-1, fixed])
     assert np.array_equal(y[0, fixed], y[-1, fixed])
+
+
+@pytest.mark.parametrize("ratio", [1.0, 0.4, 0.0])
+def test_grooves_are_trapezoids_with_the_stated_widths(ratio):
+    case = load("dem_cutting", {"cut_depth": "0.2 mm", "grooves.bottom_ratio": ratio})
+    x, y = (grid.ravel() for grid in np.meshgrid(np.linspace(0, 1e-3, 2001), np.linspace(0.75e-3, 1e-3, 6)))
+    grid = PackedDiscs(x, y, np.full(x.size, 1e-5), 0, 0, 0, 0, 0)
+    keep = dem_cutting.select_discs(case, grid)
+    (left, right), *_ = case.grooves.edges(case.packing.width)
+    for height in np.unique(y):
+        taken = x[(y == height) & (np.abs(x - 0.5 * (left + right)) < 0.1e-3) & ~keep]
+        share = (height - 0.8e-3) / 0.2e-3
+        width = 0.06e-3 * (ratio + (1 - ratio) * share) if share > 1e-9 else 0.0
+        assert (np.ptp(taken) if taken.size else 0.0) == pytest.approx(width, abs=1.1e-6)
 
 
 def test_tool_starts_where_it_touches():

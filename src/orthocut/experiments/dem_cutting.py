@@ -21,10 +21,12 @@ from orthocut.experiments.dem_run import closure, energy_data, field_data, packi
 from orthocut.experiments.dem_specimen import Progress
 from orthocut.io.checkpoint import Checkpoint, packed, unpacked
 from orthocut.io.datasets import build as build_dataset
-from orthocut.kernels.dem.layout import TIP_X, WALL_PEAK_X, WALL_PEAK_Y, WALL_SUM_X, WALL_SUM_Y
+from orthocut.kernels.dem.layout import ROW, TIP_X, WALL_PEAK_X, WALL_PEAK_Y, WALL_SUM_X, WALL_SUM_Y
+from orthocut.measure.dem_chips import Chips, chips
+from orthocut.measure.dem_contact import reduce, touching
 from orthocut.measure.dem_cracks import count_cracks, cracks
+from orthocut.measure.dem_damage import damage
 from orthocut.measure.dem_energy import Energies, energies, forces
-from orthocut.measure.steady import block_mean
 from orthocut.params.dem import DemCutting
 
 SAMPLES = 500
@@ -53,23 +55,16 @@ class Snapshot(NamedTuple):
     intact: np.ndarray
 
 
-def groove_edges(case: DemCutting) -> list[tuple[float, float]]:
-    """Left and right edges of all grooves [m], from the free side on; the first lies one clear distance inside."""
-    if case.grooves is None:
-        return []
-    pitch = case.grooves.width + case.grooves.distance
-    first = case.packing.width - case.grooves.distance - case.grooves.width
-    count = math.floor(first / pitch + 1e-9) + 1
-    right = [case.packing.width - case.grooves.distance - k * pitch for k in range(count)]
-    return [(edge - case.grooves.width, edge) for edge in right]
-
-
 def select_discs(case: DemCutting, packed: PackedDiscs) -> np.ndarray:
     """Discs that remain when the grooves, as deep as the cut, are made; bool, shape (n_discs,)."""
     keep = np.ones(len(packed.x), dtype=bool)
-    for left, right in groove_edges(case):
-        above = packed.y > case.packing.height - case.cut_depth
-        keep &= ~((packed.x > left) & (packed.x < right) & above)
+    if case.grooves is None:
+        return keep
+    height = (packed.y - (case.packing.height - case.cut_depth)) / case.cut_depth
+    narrowing = (1 - case.grooves.bottom_ratio) * (1 - height)
+    half_width = 0.5 * case.grooves.width * (1 - narrowing)
+    for left, right in case.grooves.edges(case.packing.width):
+        keep &= ~((np.abs(packed.x - 0.5 * (left + right)) < half_width) & (height > 0))
     return keep
 
 
@@ -128,7 +123,7 @@ def simulate(
     steps = math.ceil(case.travel / case.cut_speed / scene.time_step)
     ends = [steps * (k + 1) // SAMPLES for k in range(SAMPLES)]
     tip_start = float(scene.walls.rows[0, TIP_X])
-    start = energies(scene)
+    start, whole = energies(scene), forces(scene).intact
     samples, shots, advancing = _restore(scene, checkpoint) or Progressed([], [_shoot(scene)], 0.0)
 
     for k in range(len(samples), SAMPLES):
@@ -145,9 +140,10 @@ def simulate(
         if checkpoint:
             checkpoint.offer(partial(_state, scene, Progressed(samples, shots, advancing)))
 
-    data = _data(case, discs, scene, samples, start)
+    loose = _chips(scene, whole)
+    data = _data(case, discs, scene, samples, start) | _chip_data(loose)
     if snapshots:
-        data |= _fields(scene, shots)
+        data |= _fields(scene, shots) | {"chip_area": (("chip",), loose.areas)}
     dataset = build_dataset(case, "Orthogonal cut of bonded discs", data, {"time": data.pop("time")})
     dataset.attrs.update(timing(advancing, scene))
     return dataset
@@ -190,21 +186,22 @@ def _data(
     """Histories and results."""
     column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
     history = {**column, **energy_data([s.energies for s in samples], start)}
-    cutting, thrust = block_mean(column["force_cutting"]), block_mean(column["force_thrust"])
-    below = case.packing.height - case.cut_depth - cracks(scene).crack_y
+    contact = touching(column["force_cutting"], column["force_thrust"])
+    below = damage(cracks(scene), case.packing.height - case.cut_depth)
     tension, shear = count_cracks(scene)
     tool = scene.walls.rows[0]
+    results: dict[str, Any] = {"air_share": ((), float(1 - contact.mean()))}
+    for name, peak in (("force_cutting", WALL_PEAK_X), ("force_thrust", WALL_PEAK_Y)):
+        force = reduce(column[name], contact, case.travel, case.cut_depth)
+        results |= {f"{name}_{key}": ((), value) for key, value in force._asdict().items()}
+        results[f"{name}_peak"] = ((), float(tool[peak]))
     return {
         **{name: (("sample",), values) for name, values in history.items()},
-        "force_cutting_mean": ((), cutting.value),
-        "force_cutting_error": ((), cutting.error),
-        "force_cutting_peak": ((), float(tool[WALL_PEAK_X])),
-        "force_cutting_rms": ((), float(np.sqrt(np.mean(column["force_cutting"] ** 2)))),
-        "force_thrust_mean": ((), thrust.value),
-        "force_thrust_error": ((), thrust.error),
-        "force_thrust_peak": ((), float(tool[WALL_PEAK_Y])),
-        "force_thrust_rms": ((), float(np.sqrt(np.mean(column["force_thrust"] ** 2)))),
-        "damage_depth": ((), float(max(below.max(initial=0.0), 0.0))),
+        **results,
+        "damage_depth": ((), below.depth),
+        "damage_depth_most": ((), below.depth_most),
+        "cracks_tension_below": ((), below.tension),
+        "cracks_shear_below": ((), below.shear),
         "cracks_tension_total": ((), tension),
         "cracks_shear_total": ((), shear),
         "energy_closure": ((), closure(samples[-1].energies, start)),
@@ -212,9 +209,29 @@ def _data(
     }
 
 
+def _chips(scene: Scene, whole: np.ndarray) -> Chips:
+    """What has come off the block so far; `whole` are the fractions of bonded elements before the cut."""
+    first, second = (index.astype(np.int64) // ROW for index in (scene.joints.first, scene.joints.second))
+    return chips(first, second, forces(scene).intact, whole, scene.radius, scene.driven // ROW)
+
+
+def _chip_data(loose: Chips) -> dict[str, tuple[tuple[str, ...], Any]]:
+    """Number and areas of the chips."""
+    return {
+        "chip_count": ((), len(loose.areas)),
+        "chip_area_largest": ((), float(loose.areas.max(initial=0.0))),
+        "chip_area_total": ((), float(loose.areas.sum())),
+        "grain_count": ((), loose.grains),
+        "grain_area_total": ((), loose.grain_area),
+    }
+
+
 def _fields(scene: Scene, snapshots: list[Snapshot]) -> dict[str, tuple[tuple[str, ...], Any]]:
     """Snapshots, discs, joints and cracks."""
+    fixed = np.zeros(len(scene.radius), dtype=np.int8)
+    fixed[scene.driven // ROW] = 1
     return {
+        "disc_fixed": (("disc",), fixed),
         "time_snapshot": (("snapshot",), [s.time for s in snapshots]),
         "tool_tip_snapshot": (("snapshot",), [s.tool_tip for s in snapshots]),
         "disc_x": (("snapshot", "disc"), [s.places[:, 0] for s in snapshots]),

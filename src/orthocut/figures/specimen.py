@@ -12,8 +12,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 from orthocut.figures.canvas import PAGE, cases, line, name_axes, nothing, page, values
-from orthocut.figures.palette import QUANTITY, SERIES, SHEAR, TENSION
+from orthocut.figures.palette import BLACK, QUANTITY, SERIES, SHEAR, TENSION
 from orthocut.figures.scene import draw_cracks, draw_discs, frame, last_snapshot
+from orthocut.figures.yang2018_paper import TABLE_2
+from orthocut.figures.yang2018_runs import as_printed
 from orthocut.io.collect import case_of
 from orthocut.variables import VARIABLES
 
@@ -94,8 +96,11 @@ def strength_test(dataset: xr.Dataset, kind: str, sense: str) -> Figure:
         picture.set_axis_off()
         return figure
 
-    for colour, run in zip(SERIES * 9, runs, strict=False):
-        _curve(curves, run, strain, colour)
+    materials = ["as printed" if as_printed(case_of(run).joint) else "calibrated" for run in runs]
+    several = len(set(materials)) > 1
+    for colour, run, material in zip(SERIES * 9, runs, materials, strict=False):
+        _curve(curves, run, strain, colour, f"{material}, " if several else "")
+    _paper(curves, kind)
     curves.set_xlim(left=0)
     curves.set_ylim(bottom=0)
     curves.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncols=1, borderaxespad=0.2)
@@ -110,9 +115,19 @@ def _along(run: xr.Dataset, name: str) -> np.ndarray:
     return -found if turned else found
 
 
-def _curve(ax: Axes, run: xr.Dataset, strain: str, colour: str) -> None:
+def _paper(ax: Axes, kind: str) -> None:
+    """Straight line with the modulus of the paper's model, up to its strength."""
+    modulus = next(row.model for row in TABLE_2 if row.variable == "modulus_young")
+    strength = next(row.model for row in TABLE_2 if (row.kind, row.variable) == (kind, "strength_ultimate"))
+    text = f"Yang et al.: $E$ = {modulus:g} GPa, $\\sigma_u$ = {strength:g} MPa"
+    ax.plot([0, 0.1 * strength / modulus], [0, strength], "--", color=BLACK, lw=0.9, label=text)
+    ax.plot(0.1 * strength / modulus, strength, "x", color=BLACK)
+
+
+def _curve(ax: Axes, run: xr.Dataset, strain: str, colour: str, prefix: str) -> None:
+    """One test; `prefix` names its material where the figure shows several."""
     case = case_of(run)
-    parts = [f"seed {case.packing.seed}"]
+    parts = [f"{prefix}seed {case.packing.seed}"]
     for name, text in (
         ("modulus_young", "$E$ = {:.3g} GPa"),
         ("ratio_poisson", r"$\nu$ = {:.3f}"),

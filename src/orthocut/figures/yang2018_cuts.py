@@ -13,12 +13,13 @@ from orthocut.figures.canvas import PAGE, cases, nothing, page, styled, values
 from orthocut.figures.palette import QUANTITY
 from orthocut.figures.scene import draw_cracks, draw_discs, draw_tool, frame, last_snapshot
 from orthocut.figures.specimen import crack_legend, draw_forces, extent
+from orthocut.figures.yang2018_paper import FORCES, SIMULATION, mean
 from orthocut.io.collect import case_of
 
 CAPTION = (
     "Cut of the synthetic glass block: the last snapshot with all cracks where they formed (green: shear, blue: "
     "tension) and the forces over the travel of the tool, after Yang et al. (2018), Figs 11-14. Pale: the other "
-    "replicates; dotted: averages over the travel and all replicates."
+    "replicates; dotted: averages over the travel and all replicates; dashed: those of the paper (Table 4)."
 )
 
 
@@ -39,6 +40,7 @@ def draw(dataset: xr.Dataset) -> Figure:
         curves.set_title(
             f"$h$ = {depth * 1e3:.3g} mm, {'grooved' if grooved else 'regular'}",
             loc="left",
+            pad=16,
         )
     if not rows:
         nothing(panels[0, 0])
@@ -64,16 +66,22 @@ def _picture(ax, run: xr.Dataset) -> None:
 
 
 def _forces(ax, runs: list[xr.Dataset]) -> None:
+    case = case_of(runs[0])
+    paper = SIMULATION.get((round(1e3 * case.cut_depth, 9), case.grooves is not None), {})
     for run in runs[1:]:
-        for name in ("force_cutting", "force_thrust"):
+        for name in FORCES:
             ax.plot(values(run, "tool_travel"), values(run, name), color=QUANTITY[name], lw=0.5, alpha=0.3)
     if len(runs) > 1:
-        ax.plot([], [], color="0.75", lw=0.8, label="other packings")
+        ax.plot([], [], color="0.75", lw=0.8, label="others")
     draw_forces(ax, runs[0], lw=0.8)
-    for name in ("force_cutting", "force_thrust"):
+    for name in FORCES:
         means = [float(values(run, f"{name}_mean")) for run in runs]
         if np.isfinite(means).any():
-            ax.axhline(np.nanmean(means), color=QUANTITY[name], ls=":", lw=1.0)
+            ax.axhline(np.nanmean(means), color=QUANTITY[name], ls=":", lw=1.2)
+        if name in paper:
+            ax.axhline(mean(paper[name]), color=QUANTITY[name], ls="--", lw=0.8)
     ax.axhline(0, color="0.4", lw=0.6)
     ax.set_xlim(0, max(np.nanmax(values(run, "tool_travel")) for run in runs))
-    ax.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=3, borderaxespad=0, columnspacing=1.0)
+    for style, text in ((":", "mean"), ("--", "Yang et al.")):
+        ax.plot([], [], color="0.4", ls=style, lw=1.0, label=text)
+    ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=5, borderaxespad=0.2, columnspacing=0.9, handlelength=1.4)

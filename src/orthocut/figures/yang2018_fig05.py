@@ -13,7 +13,7 @@ from orthocut.figures.specimen import magnified
 
 CAPTION = (
     "Packing of the synthetic glass specimen and, magnified, a part of it, to scale, after Yang et al. (2018), Fig. 5. "
-    "Discs without any joint are orange."
+    "Discs without any joint are orange. The specimen of the paper has 7406 discs."
 )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import defaultdict
 from itertools import product
 
 import numpy as np
@@ -11,80 +10,96 @@ import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from orthocut.figures.canvas import PAGE, cases, page, styled, values
+from orthocut.figures.canvas import PAGE, page, styled
+from orthocut.figures.confidence import interval, needed
 from orthocut.figures.palette import BLACK, QUANTITY
 from orthocut.figures.tables import Table
-from orthocut.io.collect import case_of
+from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, SIMULATION, WIDTHS, mean
+from orthocut.figures.yang2018_runs import condense, conditions, cuts_of, early, forces
+
+__all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 
 CAPTION = (
-    "Mean cutting and thrust force of four cuts for a millimetre of width: replicates (dots) and those of "
-    "Yang et al. (2018), Table 4 (crosses), with their means (lines)."
+    "Mean cutting and thrust force of four cuts for a millimetre of width: replicates (dots), their means and the 95 % "
+    "confidence intervals of these by Student's t (bars), and the replicates of Yang et al. (2018), Table 4 (crosses), "
+    "with their means (lines)."
 )
-DIMS = ()
-PAPER = {
-    (0.1, False): {"force_cutting": (14.15, 15.40, 15.38), "force_thrust": (10.29, 9.27, 10.38)},
-    (0.1, True): {"force_cutting": (1.72, 2.82, 1.60), "force_thrust": (2.84, 3.13, 2.87)},
-    (0.2, False): {"force_cutting": (17.45, 17.24, 18.41), "force_thrust": (13.54, 12.16, 12.19)},
-    (0.2, True): {"force_cutting": (3.68, 3.14, 3.73), "force_thrust": (2.98, 2.95, 1.06)},
-}
-"""Depth of cut [mm] and grooves to the forces of three replicates [N/mm], width of cut 1 mm."""
-FORCES = ("force_cutting", "force_thrust")
-
-
-def measured(dataset: xr.Dataset) -> dict[tuple[float, bool], dict[str, list[float]]]:
-    """Mean forces [N/mm] of all finished cuts, by depth of cut [mm] and grooves."""
-    found: dict = defaultdict(lambda: {name: [] for name in FORCES})
-    for run in cases(dataset, *(f"{name}_mean" for name in FORCES), kind="dem_cutting"):
-        case = case_of(run)
-        for name in FORCES:
-            found[(round(case.cut_depth * 1e3, 9), case.grooves is not None)][name].append(
-                float(values(run, f"{name}_mean"))
-            )
-    return dict(found)
+DIMS = ("sample",)
+ROOM = 1.3
+"""Top of an axis over the largest replicate: intervals of few packings may be longer."""
+GOAL = 0.1
+"""Half-width of the confidence interval over the mean that is aimed at."""
 
 
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """One panel a force, one column a cut."""
-    found = measured(dataset)
-    cuts = sorted({*PAPER, *found})
+    found = conditions(cuts_of(dataset))
+    cuts = sorted({*SIMULATION, *found})
     figure = page(2.7, PAGE)
     panels = figure.subplots(1, 2, sharex=True)
     for ax, name, text in zip(panels, FORCES, ("mean cutting force", "mean thrust force"), strict=True):
         for column, cut in enumerate(cuts):
-            paper, ours = PAPER.get(cut, {}).get(name, ()), found.get(cut, {}).get(name, [])
+            paper, ours = SIMULATION.get(cut, {}).get(name, ()), forces(found.get(cut, []), name)
             ax.plot([column + 0.15] * len(paper), paper, "x", color=BLACK)
-            ax.plot([column - 0.15] * len(ours), ours, "o", color=QUANTITY[name], ms=3, alpha=0.6, mew=0)
+            ax.plot([column - 0.25] * len(ours), ours, "o", color=QUANTITY[name], ms=3, alpha=0.6, mew=0)
             if ours:
-                ax.hlines(np.mean(ours), column - 0.3, column, color=QUANTITY[name])
+                known = interval(ours)
+                bar = known.half if math.isfinite(known.half) else None
+                ax.errorbar(column - 0.1, known.mean, yerr=bar, fmt="_", color=QUANTITY[name], capsize=2)
             if paper:
-                ax.hlines(np.mean(paper), column, column + 0.3, color=BLACK)
+                ax.hlines(mean(paper), column, column + 0.3, color=BLACK)
         ax.set_xticks(
             range(len(cuts)), [f"{depth:g} mm\n{'grooved' if grooved else 'regular'}" for depth, grooved in cuts]
         )
         ax.set_xlabel("depth of cut, surface")
         ax.set_ylabel(f"{text} [N/mm]")
-        ax.set_ylim(bottom=min(0, ax.get_ylim()[0]))
+        drawn = [
+            value
+            for cut in cuts
+            for value in (*SIMULATION.get(cut, {}).get(name, ()), *forces(found.get(cut, []), name))
+        ]
+        ax.set_ylim(min(0.0, *drawn), ROOM * max(drawn))
         ax.grid(axis="x", visible=False)
         handles = [
             Line2D([], [], color=QUANTITY[name], marker="o", ms=3, ls="", label="replicate"),
-            Line2D([], [], color=QUANTITY[name], label="mean"),
-            Line2D([], [], color=BLACK, marker="x", label="Yang et al."),
+            Line2D([], [], color=QUANTITY[name], marker="_", label="mean"),
+            Line2D([], [], color=BLACK, marker="x", ls="", label="Yang et al."),
         ]
         ax.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
     return figure
 
 
 def tabulate(dataset: xr.Dataset) -> Table:
-    """Mean and standard deviation over the replicates, and their ratio to the paper's means."""
-    header = ["depth of cut [mm]", "surface", "force", "replicates [N/mm]", "mean [N/mm]", "standard deviation [N/mm]"]
-    header += ["paper: replicates [N/mm]", "paper: mean [N/mm]", "mean over paper's mean [-]"]
-    found, rows = measured(dataset), []
-    for cut, name in product(sorted({*PAPER, *found}), FORCES):
-        ours, paper = found.get(cut, {}).get(name, []), PAPER.get(cut, {}).get(name, ())
-        mean, reference = (float(np.mean(list(data))) if len(data) else math.nan for data in (ours, paper))
-        spread = float(np.std(ours, ddof=1)) if len(ours) > 1 else math.nan
-        names = [f"{cut[0]:g}", "grooved" if cut[1] else "regular", name.removeprefix("force_")]
+    """Replicates, their mean and its confidence interval, other averages, and what the paper has."""
+    header = ["depth of cut [mm]", "surface", "force", "replicates [N/mm]", "number", "mean [N/mm]"]
+    header += ["95 % half-width [N/mm]", "half-width over mean [%]", "replicates for 10 %"]
+    header += ["standard deviation [N/mm]", "mean of first three quarters of travel [N/mm]", "95 % half-width [N/mm]"]
+    header += ["mean in contact [N/mm]", "rms [N/mm]", "peak, mean of replicates [N/mm]"]
+    header += ["in the air [% of travel]", "paper: replicates [N/mm]", "paper: mean [N/mm]"]
+    header += ["mean over paper's mean [-]", "experiment, for 1 mm [N/mm]"]
+    found, rows = conditions(cuts_of(dataset)), []
+    for cut, name in product(sorted({*SIMULATION, *found}), FORCES):
+        runs, paper = found.get(cut, []), SIMULATION.get(cut, {}).get(name, ())
+        ours = forces(runs, name)
+        known = interval(ours)
+        reference = mean(paper) if paper else math.nan
+        real = mean(EXPERIMENT[cut][name]) / WIDTHS["experiment"] if cut in EXPERIMENT else math.nan
+        others = [_mean(forces(runs, name, what)) for what in ("contact", "rms", "peak")]
         listed = [" ".join(f"{value:.2f}" for value in data) for data in (ours, paper)]
-        rows.append([*names, listed[0], mean, spread, listed[1], reference, mean / reference])
+        rows.append(
+            [
+                *(f"{cut[0]:g}", "grooved" if cut[1] else "regular", name.removeprefix("force_"), listed[0]),
+                *(known.count, known.mean, known.half, 100 * known.relative, needed(ours, GOAL), known.spread),
+                *interval(early(runs, name))[:2],
+                *(*others, _mean([run["air_share"] for run in runs]), listed[1], reference),
+                *(known.mean / reference, real),
+            ]
+        )
     return Table("Mean forces of four cuts, for a millimetre of width", header, rows)
+
+
+def _mean(values: list[float]) -> float:
+    """Mean of what is a number; NaN if nothing is."""
+    found = [value for value in values if math.isfinite(value)]
+    return float(np.mean(found)) if found else math.nan

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -147,12 +148,29 @@ class DemBrazilian(_Test):
 
 
 class Grooves(Block):
-    """Rectangular grooves in the surface, as deep as the cut; made by deleting discs."""
+    """Grooves in the surface, as deep as the cut, rectangular or inverted trapezoids; made by deleting discs."""
 
     width: Size = 0.06e-3
-    """Width of a groove."""
+    """Width of a groove at the surface."""
+    bottom_ratio: Annotated[float, Number(0.0, 1.0)] = 1.0
+    """Width at the bottom over width at the surface: 1 is a rectangle; less is a trapezoid, as lasers leave it, with
+    walls that are thicker at their feet."""
     distance: Size = 0.2e-3
-    """Clear distance between grooves."""
+    """Clear distance between grooves at the surface. The paper's 0.2 mm may be meant as the pitch, from one groove to
+    the next; then it is 0.14 mm."""
+
+    def edges(self, block: float) -> list[tuple[float, float]]:
+        """Left and right edges at the surface of a block [m], from the free side on.
+
+        Parameters
+        ----------
+        block : float
+            Width of the block [m]; the first groove lies one clear distance inside.
+        """
+        pitch = self.width + self.distance
+        count = math.floor((block - pitch) / pitch + 1e-9) + 1
+        right = [block - self.distance - k * pitch for k in range(count)]
+        return [(edge - self.width, edge) for edge in right]
 
 
 class DemCutting(_Dem):

@@ -19,7 +19,21 @@ SWEEPS = {f"nairn2015_fig{number}" for number in ("08", 10, 11, 12, 13, 14, 15, 
 ALONE = {f"nairn2015_fig{number}" for number in ("02", "04", "05", 17)} | {"energy_balance", "show"}
 DISTINCT = list({module: name for name, module in reversed(registry.FIGURES.items())}.values())
 """One figure of each module."""
-UNITLESS = {"depth of cut, surface", "claim of the paper", "cut"}
+UNITLESS = {
+    "depth of cut, surface",
+    "depth of cut, force",
+    "depth of cut, surface, force",
+    "claim of the paper",
+    "cut",
+    "parameter",
+}
+
+
+GROOVED = {"grooves": {}}
+
+
+def glass(depth, change, seed):
+    return dem_cut_run(snapshots=2, cracks=8, **BIG, cut_depth=f"{depth} mm", **change, **{"packing.seed": seed})
 
 
 def runs_for(name):
@@ -66,6 +80,21 @@ def runs_for(name):
         ]
     if name == "yang2018_fig08":
         return [dem_test_run("dem_compression", **BIG), dem_test_run("dem_compression", **BIG, **{"packing.seed": 2})]
+    if name in ("yang2018_table1", "yang2018_table2"):
+        joints = ({}, {"joint.modulus": "80 GPa"})
+        return [
+            dem_test_run(kind, cracks=3, **BIG, **joint, **{"packing.seed": seed})
+            for kind in ("dem_tension", "dem_compression")
+            for joint in joints
+            for seed in (1, 2)
+        ]
+    if name in ("yang2018_convergence", "yang2018_claims", "yang2018_table4"):
+        changes = ({}, {"cut_speed": "0.5 m/s"}, {"joint.damping": 0.3}, {"joint.time_step_factor": 0.25})
+        cuts = [glass(depth, surface, seed) for depth in (0.1, 0.2) for surface in ({}, GROOVED) for seed in (1, 2, 3)]
+        cuts += [glass(0.1, change, seed) for change in changes[1:] for seed in (1, 2)]
+        cuts += [glass(0.2, {"grooves": {"bottom_ratio": 0.5}}, seed) for seed in (1, 2)]
+        tests = [dem_test_run(kind, cracks=3, **BIG) for kind in ("dem_tension", "dem_compression")]
+        return [registry.condense(name)(cut) for cut in cuts] + tests
     if name in ("yang2018_fig05", "yang2018_fig06", "yang2018_fig07"):
         return [dem_test_run("dem_tension", **BIG), dem_test_run("dem_tension", cracks=9, **BIG, **{"packing.seed": 2})]
     if name == "nairn2015_fig07":

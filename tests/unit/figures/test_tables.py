@@ -5,7 +5,7 @@ import pytest
 from synthetic import dem_cut_run, failed, mpm_run
 
 from orthocut.figures import registry, tables
-from orthocut.figures.yang2018_table4 import PAPER
+from orthocut.figures.yang2018_paper import EXPERIMENT, SIMULATION, WIDTHS
 from orthocut.io.collect import collect
 
 BIG = {"packing.radius_min": "40 um"}
@@ -44,11 +44,13 @@ def test_table_4_compares_means_of_replicates_with_the_paper():
     assert len(table.rows) == 8
     row = next(row for row in table.rows if row[:3] == ["0.1", "regular", "cutting"])
     mean = sum(float(run["force_cutting_mean"]) for run in runs) / 2 / 1e3
-    paper = sum(PAPER[0.1, False]["force_cutting"]) / 3
-    assert row[4] == pytest.approx(mean)
-    assert row[7] == pytest.approx(paper)
-    assert row[8] == pytest.approx(mean / paper)
-    assert math.isnan(table.rows[-1][4])
+    paper = sum(SIMULATION[0.1, False]["force_cutting"]) / 3
+    found = dict(zip(table.header, row, strict=True))
+    assert found["number"] == 2
+    assert found["mean [N/mm]"] == pytest.approx(mean)
+    assert found["paper: mean [N/mm]"] == pytest.approx(paper)
+    assert found["mean over paper's mean [-]"] == pytest.approx(mean / paper)
+    assert math.isnan(table.rows[-1][table.header.index("mean [N/mm]")])
 
 
 def test_the_papers_means_are_those_it_states():
@@ -59,8 +61,26 @@ def test_the_papers_means_are_those_it_states():
         (0.2, True): (3.52, 2.33),
     }
     for cut, means in stated.items():
-        found = [sum(PAPER[cut][name]) / 3 for name in ("force_cutting", "force_thrust")]
+        found = [sum(SIMULATION[cut][name]) / 3 for name in ("force_cutting", "force_thrust")]
         assert found == pytest.approx(means, abs=0.006)
+
+
+def test_measured_forces_are_those_of_table_6_and_compared_for_the_same_width():
+    stated = {
+        (0.1, False): (16.50, 13.53),
+        (0.1, True): (2.50, 3.43),
+        (0.2, False): (19.07, 14.97),
+        (0.2, True): (4.27, 5.80),
+    }
+    for cut, means in stated.items():
+        found = [sum(EXPERIMENT[cut][name]) / 3 for name in ("force_cutting", "force_thrust")]
+        assert found == pytest.approx(means, abs=0.006)
+    table = registry.tabulate("yang2018_table6", collect([dem_cut_run(**BIG)]))
+    row = dict(zip(table.header, table.rows[0], strict=True))
+    assert WIDTHS["experiment"] == 25.4
+    assert row["experiment [N/mm]"] == pytest.approx(16.5 / 25.4)
+    assert row["paper's over experiment [-]"] == pytest.approx(23.06, abs=0.01)
+    assert row["paper's deviation, raw [%]"] == pytest.approx(-9.2, abs=0.05)
 
 
 def test_figures_without_a_table_have_none():

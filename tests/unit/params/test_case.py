@@ -62,7 +62,8 @@ def different(kind, name):
     for part in name.split("."):
         value = getattr(value, part, None)
     if name.startswith("grooves"):
-        return {"grooves": {}, "grooves.width": "0.05 mm", "grooves.distance": "0.1 mm"}[name]
+        fields = {"grooves.width": "0.05 mm", "grooves.distance": "0.1 mm", "grooves.bottom_ratio": 0.5}
+        return {"grooves": {}, **fields}[name]
     if isinstance(value, int):
         return value + 1 if name != "numerics.position_order" else 1
     text = case.model_dump(mode="json")
@@ -137,6 +138,12 @@ def test_grooves_default_to_none_and_take_a_block():
     assert load("dem").grooves is None
     assert load("dem", {"grooves": {}}).grooves.width == 0.06e-3
     assert load("dem", {"grooves.width": "0.05 mm"}).grooves.width == 0.05e-3
+
+
+def test_grooves_widen_towards_the_surface_only():
+    assert load("dem", {"grooves.bottom_ratio": 0}).grooves.bottom_ratio == 0
+    with pytest.raises(ConfigError, match=r"grooves.bottom_ratio = 1.5.*\(allowed: 0 to 1\)"):
+        load("dem", {"grooves": {"bottom_ratio": 1.5}})
 
 
 @pytest.mark.parametrize(

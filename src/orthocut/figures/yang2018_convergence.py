@@ -1,0 +1,178 @@
+"""What the mean forces of cuts of glass depend on beside the physics: speed, damping, grains, step, replicates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
+
+from orthocut.figures.canvas import PAGE, nothing, page, styled
+from orthocut.figures.confidence import Interval, interval, ratio
+from orthocut.figures.palette import AMBER, BLACK, GREEN, PURPLE, QUANTITY, SKY
+from orthocut.figures.tables import Table
+from orthocut.figures.yang2018_paper import FORCES, NAMES, words
+from orthocut.figures.yang2018_runs import (
+    PARTS,
+    GlassRun,
+    along,
+    condense,
+    condition,
+    conditions,
+    cuts_of,
+    forces,
+    paired,
+)
+from orthocut.variables import VARIABLES
+
+__all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
+
+CAPTION = (
+    "Mean cutting force (filled) and thrust force (open) of cuts of glass over the speed of the tool, the local "
+    "damping, the smallest radius of the discs and the time step; runs of a series differ in nothing else but the "
+    "packing. Then the means of the first replicates over their number, with the band of 10 % around the mean of all, "
+    "and means over the travel up to a place. Bars: 95 % confidence intervals by Student's t. The table compares each "
+    "value with the reference of its series packing by packing."
+)
+DIMS = ("sample",)
+PANELS = (
+    ("cut_speed", "speed of the tool $v$ [m/s]", 0.0),
+    ("joint_damping", "local damping [-]", 0.7),
+    ("packing_radius_min", "smallest radius $R_{min}$ [µm]", 0.0),
+    ("joint_time_step_factor", "time step factor [-]", 0.0),
+)
+"""Fields, labels, and the value to compare with: the nearest one is the reference of a series."""
+LOGARITHMIC = frozenset({"cut_speed"})
+MARKERS = "osD^v"
+CUTS = (GREEN, SKY, PURPLE, AMBER)
+"""Colours of the cuts of the paper, by depth of cut and surface."""
+ROOM = 2.2
+"""Top of an axis over the largest mean: intervals of few packings may be longer."""
+LEAST = 2
+"""Fewest values of a series."""
+
+
+@styled
+def draw(dataset: xr.Dataset) -> Figure:
+    """One panel for each field, then replicates and travel."""
+    cuts = cuts_of(dataset)
+    figure = page(4.8, PAGE)
+    panels = list(figure.subplots(2, 3).flat)
+    if not cuts:
+        for ax in panels:
+            nothing(ax)
+            ax.set_axis_off()
+        return figure
+
+    for ax, (name, text, _) in zip(panels[:4], PANELS, strict=True):
+        _field(ax, cuts, name)
+        ax.set_xlabel(text)
+        ax.set_ylabel("mean force [N/mm]")
+    found = conditions(cuts)
+    _replicates(panels[4], found)
+    _travel(panels[5], found)
+    handles = [
+        Line2D([], [], color=colour, label=words(cut)) for (cut, _), colour in zip(found.items(), CUTS, strict=False)
+    ]
+    handles += [
+        Line2D([], [], color=QUANTITY[name], marker="o", mfc=face, ls="", label=f"{NAMES[name]} force")
+        for name, face in zip(FORCES, (QUANTITY[FORCES[0]], "white"), strict=True)
+    ]
+    figure.legend(handles=handles, loc="outside upper center", ncols=3)
+    return figure
+
+
+def _field(ax: Axes, cuts: Sequence[GlassRun], field: str) -> None:
+    """Means with their intervals over one field; one symbol a series."""
+    groups = along(cuts, field, LEAST)
+    if not groups:
+        ax.text(0.5, 0.5, "no series", transform=ax.transAxes, ha="center", color="0.5")
+    for group, marker in zip(groups, MARKERS, strict=False):
+        places = np.array(list(group)) * VARIABLES[field].scale
+        for name, face in zip(FORCES, (QUANTITY[FORCES[0]], "white"), strict=True):
+            known = [interval(forces(runs, name)) for runs in group.values()]
+            bars = [one.half if math.isfinite(one.half) else 0.0 for one in known]
+            style = {"color": QUANTITY[name], "mfc": face, "capsize": 2, "elinewidth": 0.8, "lw": 0.6}
+            ax.errorbar(places, [one.mean for one in known], yerr=bars, fmt=f"{marker}-", **style)
+    if field in LOGARITHMIC and groups:
+        ax.set_xscale("log")
+        ticks = sorted({value * VARIABLES[field].scale for group in groups for value in group})
+        ax.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+        ax.minorticks_off()
+    else:
+        ax.set_xlim(0, 1.06 * ax.get_xlim()[1] if groups else 1.0)
+    means = [interval(forces(runs, name)).mean for group in groups for runs in group.values() for name in FORCES]
+    ax.set_ylim(0, ROOM * max(means, default=1.0))
+
+
+def _replicates(ax: Axes, found: dict) -> None:
+    """Mean of the first replicates over that of all, with its interval."""
+    ax.axhspan(0.9, 1.1, color="0.93", zorder=0)
+    ax.axhline(1.0, color=BLACK, lw=0.6)
+    most = 2
+    for shift, ((_, runs), colour) in enumerate(zip(found.items(), CUTS, strict=False)):
+        values = forces(runs, FORCES[0])
+        if len(values) < 2:
+            continue
+        most = max(most, len(values))
+        mean = float(np.mean(values))
+        known = [interval(values[:count]) for count in range(2, len(values) + 1)]
+        places = np.arange(2, len(values) + 1) + 0.12 * (shift - 1.5)
+        ratios, bars = [one.mean / mean for one in known], [one.half / mean for one in known]
+        ax.errorbar(places, ratios, yerr=bars, fmt=".-", color=colour, capsize=1.5, elinewidth=0.6, lw=0.8)
+    ax.set_xlim(1.5, most + 0.5)
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
+    ax.set_ylim(0, 2.5)
+    ax.set_xlabel("number of packings [-]")
+    ax.set_ylabel("main force over mean of all [-]")
+
+
+def _travel(ax: Axes, found: dict) -> None:
+    """Mean over the travel up to a place, of all replicates."""
+    for (_, runs), colour in zip(found.items(), CUTS, strict=False):
+        parts = [run.parts[FORCES[0]] for run in runs if FORCES[0] in run.parts]
+        if not parts:
+            continue
+        travel = 1e3 * runs[0].case.travel * np.arange(1, PARTS + 1) / PARTS
+        running = np.cumsum(np.mean(parts, axis=0)) / np.arange(1, PARTS + 1)
+        ax.plot(travel, running, "-", color=colour)
+    ax.set_xlim(left=0)
+    ax.set_ylim(bottom=0)
+    ax.set_xlabel("travel averaged over [mm]")
+    ax.set_ylabel("mean main force [N/mm]")
+
+
+def tabulate(dataset: xr.Dataset) -> Table:
+    """Means of each value of a field, and the change against the reference, packing by packing."""
+    header = ["field", "unit", "cut", "value", "packings", "force", "mean [N/mm]", "95 % half-width [N/mm]"]
+    header += ["against", "change, same packings [%]", "95 % half-width [%]"]
+    cuts, rows = cuts_of(dataset), []
+    for field, _, wanted in PANELS:
+        variable = VARIABLES[field]
+        for group in along(cuts, field, LEAST):
+            reference = min(group, key=lambda value: abs(value - wanted))
+            for value, runs in group.items():
+                for name in FORCES:
+                    known, change = interval(forces(runs, name)), changes(runs, group[reference], name)
+                    first = [variable.long_name, variable.display or variable.unit, words(condition(runs[0]))]
+                    rows.append(
+                        [
+                            *(*first, value * variable.scale, known.count, NAMES[name], known.mean, known.half),
+                            *(reference * variable.scale, 100 * change.mean, 100 * change.half),
+                        ]
+                    )
+    return Table("Mean forces over speed, damping, size of the discs and time step", header, rows)
+
+
+def changes(runs: Sequence[GlassRun], reference: Sequence[GlassRun], name: str) -> Interval:
+    """Change of a mean force against the reference over that of the reference, by packings that both have [-].
+
+    Where discs differ in size, the same seed does not give the same packing; the pairs are then as good as random.
+    """
+    found = ratio(*paired(runs, reference, f"{name}_mean"))
+    return found._replace(mean=found.mean - 1)
