@@ -3,13 +3,17 @@
 from pathlib import Path
 
 import pytest
+import yaml
 
 from orthocut.cost import estimate_seconds
 from orthocut.figures.registry import FIGURES
+from orthocut.params.case import load
 from orthocut.params.dem import FlatJoint
 from orthocut.plan import load_plan
 
-STUDY = Path(__file__).parents[2] / "workflow" / "config" / "yang2018.yaml"
+ROOT = Path(__file__).parents[2]
+STUDY = ROOT / "workflow" / "config" / "yang2018.yaml"
+CALIBRATED = ROOT / "results" / "published" / "calibration" / "paper_size" / "joint.yaml"
 FOUR = ("shallow", "shallow_grooved", "deep", "deep_grooved")
 
 
@@ -53,6 +57,12 @@ def test_calibrated_joints_are_the_same_everywhere(plan):
     tests = [plan.cases[case].joint for case in members(plan, "yang2018_table2", "calibrated_tension")]
     cuts = [plan.cases[case].joint for case in members(plan, "yang2018_claims", "regular", "trapezoids")]
     assert len({*tests, *cuts}) == 1
+
+
+@pytest.mark.skipif(not CALIBRATED.exists(), reason="no published calibration")
+def test_calibrated_joints_are_those_of_the_published_calibration(plan):
+    (case, *_) = members(plan, "yang2018_table2", "calibrated_tension")
+    assert plan.cases[case].joint == load("dem_tension", yaml.safe_load(CALIBRATED.read_text())).joint
 
 
 def test_three_packings_of_the_four_cuts_fit_the_budget(plan):
