@@ -117,7 +117,7 @@ def _verdict(calibration: DemCalibration, found: Fit) -> str:
     searched = sum(trial.purpose == "search" for trial in found.trials)
     state = "within" if found.converged else "not within"
     return (
-        f"{state.capitalize()} the tolerance of {calibration.tolerance:.3g} after {searched} evaluations with "
+        f"{state.capitalize()} the tolerance of {calibration.tolerance:.3g}; evaluations: {searched}, with "
         f"{calibration.replicates} packings each."
     )
 

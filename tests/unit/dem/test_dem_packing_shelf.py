@@ -84,6 +84,7 @@ def test_broken_file_is_named_and_made_anew(packing, checkpoint, made, damage):
     assert len(made) == 2
 
 
+@pytest.mark.filterwarnings("ignore:.*not used")
 def test_run_goes_on_where_nothing_can_be_kept(packing, checkpoint):
     (checkpoint.path.parent / FOLDER).write_text("in the way")
     with pytest.warns(UserWarning, match="packing not kept"):
