@@ -29,10 +29,34 @@ CAPTION = (
     "touch, with their limits at zero particle size (diamonds) and standard errors. Dashed: touching model, eq. (14), "
     "without friction eq. (15), whose shear plane has the angle that needs least force. Dotted: the same balance of "
     "work, eq. (13), with the shear plane that the thickness of the finest chip tells. Both take the rubbing force of "
-    "the finest run. Crosses on the axis: failed runs. The table holds the numbers."
+    "the finest run. Crosses on the axis: failed runs. The table holds the numbers, and what the finest run spends on "
+    "things that the model does not know: plastic work in the base, losses in transfers and contact, elastic energy of "
+    "the chip."
 )
 DIMS = ()
 AXIS = "particle size over depth of cut $1/n$ [-]"
+
+
+SPENT = {
+    "rate_plastic_base": ("work_plastic_base",),
+    "rate_lost": ("energy_numerical", "energy_contact"),
+    "rate_stored": ("energy_elastic", "energy_kinetic"),
+}
+"""Energies per travel over toughness that the touching model does not know, and the histories that they are from."""
+
+
+def condense(run: xr.Dataset) -> xr.Dataset:
+    """Run with the energies per travel over toughness of `SPENT`, from the start of its window on [-]."""
+    needed = {"tool_travel", "window_start", *(name for names in SPENT.values() for name in names)}
+    if not needed <= set(run.variables) or not math.isfinite(float(run["window_start"])):
+        return run
+    late = run.isel(sample=run["tool_travel"].values >= float(run["window_start"]))
+    scale = case_of(run).interface.toughness * float(late["tool_travel"][-1] - late["tool_travel"][0])
+    rates = {
+        rate: ((), sum(float(late[name][-1] - late[name][0]) for name in names) / scale, {"units": "1"})
+        for rate, names in SPENT.items()
+    }
+    return run.assign(rates)
 
 
 class Series(NamedTuple):
@@ -111,11 +135,14 @@ def tabulate(dataset: xr.Dataset) -> Table:
     header += ["limit [-]", "standard error [-]", "eq. (14) [-]", "limit over eq. (14) [-]"]
     header += ["chip thickness ratio [-]", "angle of the shear plane [deg]", "angle of least force [deg]"]
     header += ["eq. (13) at the measured angle [-]", "limit over eq. (13) [-]"]
+    header += ["plastic work in the base [-]", "lost in transfers and contact [-]", "stored in the chip [-]"]
+    header += ["finest force less these, over eq. (13) [-]"]
     rows = []
     for series in found:
         forces = {case_of(run).numerics.points_per_depth: over_toughness(run) for run in series.runs}
         limit, error = (series.fit.limit, series.fit.error) if series.fit else (math.nan, math.nan)
         fine = series.runs[-1]
+        spent = [_number(fine, name) for name in SPENT]
         rows.append(
             [
                 series.rake,
@@ -130,6 +157,8 @@ def tabulate(dataset: xr.Dataset) -> Table:
                 math.degrees(_model(fine).angle_shear),
                 series.model_measured,
                 limit / series.model_measured,
+                *spent,
+                (over_toughness(fine) - sum(spent)) / series.model_measured,
             ]
         )
     return Table("Touching cuts at zero particle size, cutting force over toughness", header, rows)

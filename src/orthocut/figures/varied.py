@@ -19,7 +19,20 @@ def transfers(affine: float) -> str:
     return {0.0: "PIC", 1.0: "APIC"}.get(affine, f"{affine:g} of the gradient")
 
 
+ELASTIC = 1e10
+"""Yield stress from which on a material is called elastic [Pa]."""
+
+
+def _yielding(stress: float) -> str:
+    if stress == 25e6:
+        return ""
+    return "elastic" if stress >= ELASTIC else rf"$\sigma_y$ = {stress * 1e-6:g} MPa"
+
+
 SPECIAL = {
+    **dict.fromkeys(("travel_ratio", "window_ratio", "error_target", "length_ratio"), lambda value: ""),
+    "stress_yield": _yielding,
+    "reach_ratio": lambda value: "" if value in (0.0, 8.0) else f"reach {value:g}",
     "affine": lambda value: "" if value == 1.0 else transfers(value),
     "support": lambda value: {0.0: "no support", 0.05: ""}.get(value, f"support {value:g}"),
     "scheme": lambda value: "paper's loop" if value == "usavg" else "",

@@ -77,6 +77,17 @@ def test_transfers(pic, wanted):
     assert found.error == pytest.approx(100 * (pic / 5 - 1))
 
 
+@pytest.mark.parametrize(("flip", "wanted"), [(4.9, REPRODUCED), (4.2, NOT_REPRODUCED)])
+def test_transfers_are_compared_with_flip_where_there_is_one(flip, wanted):
+    theirs = {"scheme": "usavg", "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
+    cuts = [cut(affine=0, force=5.0), cut(affine=0.9, force=5.0)]
+    cuts += [cut(**theirs, flip=share, force=force) for share, force in ((0.0, 5.0), (0.5, 4.0), (0.9, flip))]
+    found = method.transfers_do_not_change_the_force(cuts)
+    assert found.verdict == wanted
+    assert found.error == pytest.approx(100 * (5 / flip - 1))
+    assert found.ours.startswith("PIC over 90% FLIP")
+
+
 @pytest.mark.parametrize(("travel", "wanted"), [(5.0, REPRODUCED), (8.0, NOT_REPRODUCED), (math.nan, NOT_TESTED)])
 def test_steady_start(travel, wanted):
     assert verdict(method.steady_from_four_ms, [cut(tangent=100, steady=travel)]) == wanted

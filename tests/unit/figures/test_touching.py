@@ -7,7 +7,7 @@ import pytest
 from synthetic import failed, mpm_run
 
 from orthocut.figures import registry
-from orthocut.figures.nairn2015_touching import series_of
+from orthocut.figures.nairn2015_touching import SPENT, condense, series_of
 from orthocut.io.collect import case_of, collect
 from orthocut.theory import touching
 
@@ -100,3 +100,22 @@ def test_one_panel_a_rake_angle_with_levels_of_the_models():
             levels = [line.get_ydata() for line in ax.get_lines() if line.get_linestyle() == "--"]
             assert any(np.allclose(level, model) for level in levels)
         assert len([line for line in ax.get_lines() if line.get_linestyle() == ":"]) == 2
+
+
+def test_condensed_runs_know_what_the_model_does_not():
+    """Rates over the travel behind the start of the window; the synthetic run has shares of its work."""
+    run = cut(8)
+    length = float(run.tool_travel[-1])
+    plastic = (("sample",), 0.01 * run.work_tool.values)
+    run = run.assign(window_start=((), 0.5 * length), work_plastic_base=plastic)
+    found = condense(run)
+    late = run.tool_travel.values >= 0.5 * length
+    work, travel = run.work_tool.values[late], run.tool_travel.values[late]
+    rate = (work[-1] - work[0]) / (travel[-1] - travel[0]) / 2000.0
+    shares = {"rate_plastic_base": 0.01, "rate_lost": 0.08 + 0.03, "rate_stored": 0.1 + 0.02}
+    assert set(shares) == set(SPENT)
+    for name, share in shares.items():
+        assert float(found[name]) == pytest.approx(share * rate)
+    facts = registry.tabulate(NAME, collect([condense(cut(16)), found.assign_attrs(run.attrs)])).rows[0]
+    assert len(facts) == len(registry.tabulate(NAME, collect(sweep())).header) - 1
+    assert condense(run.drop_vars("window_start")).identical(run.drop_vars("window_start"))
