@@ -26,7 +26,7 @@ CAPTION = (
     "PIC, 1 FLIP); over the Courant number, to which the time step is proportional; over the speed of the tool; "
     "over the distance ahead of the tool, in depths of cut, beyond which material rests (at 0 all of it moves); and"
     " over the gain of the feedback damping while the tool speeds up. Runs of a series differ in nothing else. "
-    "Colours: depths of cut and materials; symbols: schemes. Open: the tool touches the crack tip. Bars: standard "
+    "Colours: materials; symbols: schemes and laws of failure. Open: the tool touches the crack tip. Bars: standard "
     "error of the mean; pale bars: half of the drift over the window to either side. Over particle size: weighted "
     "least-squares fits of a limit plus slope times size, dashed, and times its square, dotted, with the limits "
     "(diamonds) and their standard errors; how far both limits lie apart says how much the assumed order matters. "
@@ -114,9 +114,9 @@ def _others(run: xr.Dataset, field: str) -> dict[str, Any]:
 
 
 def _scene(run: xr.Dataset) -> tuple:
-    """What is cut, without how it is computed."""
+    """Shape and material of what is cut; laws of failure and schemes differ by symbol."""
     case = case_of(run)
-    return case.cut_depth, case.tool, case.material, case.interface
+    return case.cut_depth, case.tool, case.material
 
 
 def _fit(runs: list[xr.Dataset], power: float) -> Fit:
