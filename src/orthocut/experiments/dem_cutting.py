@@ -14,11 +14,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from orthocut.dem.packing import PackedDiscs, pack
+from orthocut.dem.packing import PackedDiscs
 from orthocut.dem.setup import build, wall
 from orthocut.dem.state import Scene
 from orthocut.experiments.dem_run import closure, energy_data, field_data, packing_data, proceed, timing
 from orthocut.experiments.dem_specimen import Progress
+from orthocut.experiments.packing_shelf import packed_discs
 from orthocut.io.checkpoint import Checkpoint, packed, unpacked
 from orthocut.io.datasets import build as build_dataset
 from orthocut.kernels.dem.layout import ROW, TIP_X, WALL_PEAK_X, WALL_PEAK_Y, WALL_SUM_X, WALL_SUM_Y
@@ -117,7 +118,7 @@ def simulate(
     snapshots : int
         Snapshots to take, evenly spaced: the first before the cut, the last at its end.
     """
-    discs = pack(case.packing)
+    discs = packed_discs(case.packing, checkpoint)
     scene = make_scene(case, discs)
     proceed(scene, 0)
     steps = math.ceil(case.travel / case.cut_speed / scene.time_step)
