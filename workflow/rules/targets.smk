@@ -1,7 +1,9 @@
 """What people ask for by name: everything, a paper, a method, a figure."""
 
 PAPERS = [figure for figure in PLAN.figures if figure.startswith(("nairn2015_", "yang2018_"))]
-SPECIMENS = [case for case, made in PLAN.cases.items() if made.kind in ("dem_tension", "dem_compression", "dem_brazilian")]
+SPECIMENS = [
+    case for case, made in PLAN.cases.items() if made.kind in ("dem_tension", "dem_compression", "dem_brazilian")
+]
 TARGETS = {
     "paper": PAPERS,
     "mpm": of_method("mpm"),
