@@ -8,15 +8,13 @@ the rounds and of the ratios to the default case of the same round.
 from __future__ import annotations
 
 import argparse
-import csv
 import math
-import statistics
 import time
 from pathlib import Path
 
+from features import write_features
 from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 
 from orthocut.dem.packing import PackedDiscs, pack
 from orthocut.dem.state import Scene
@@ -59,17 +57,7 @@ def main() -> None:
             spent = time.thread_time() - began
             costs[name].append(1e9 * spent / options.steps / len(scene.joints.first))
 
-    table = Table(*HEADER)
-    options.output.parent.mkdir(parents=True, exist_ok=True)
-    with open(options.output, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(HEADER)
-        for name, found in costs.items():
-            ratio = statistics.median(cost / base for cost, base in zip(found, costs["default"], strict=True))
-            row = [name, f"{statistics.median(found):.3g}", f"{ratio:.3f}"]
-            writer.writerow(row)
-            table.add_row(*row)
-    Console().print(table)
+    write_features(costs, HEADER, options.output)
 
 
 def make_scene(name: str, values: dict[str, float], packed: PackedDiscs, packing) -> Scene:

@@ -7,13 +7,11 @@ the rounds and of the ratios to the default case of the same round.
 from __future__ import annotations
 
 import argparse
-import csv
-import statistics
 from pathlib import Path
 
+from features import write_features
 from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 
 from orthocut.experiments.speed_mpm import bench_mpm
 
@@ -46,17 +44,7 @@ def main() -> None:
     for _ in track(range(options.rounds), "measuring", console=Console(stderr=True)):
         for name, values in VARIANTS.items():
             costs[name].append(bench_mpm(options.points, 100, 3, values)["ns_per_point_step"])
-    table = Table(*HEADER)
-    options.output.parent.mkdir(parents=True, exist_ok=True)
-    with open(options.output, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(HEADER)
-        for name, found in costs.items():
-            ratio = statistics.median(cost / base for cost, base in zip(found, costs["default"], strict=True))
-            row = [name, f"{statistics.median(found):.3g}", f"{ratio:.3f}"]
-            writer.writerow(row)
-            table.add_row(*row)
-    Console().print(table)
+    write_features(costs, HEADER, options.output)
 
 
 if __name__ == "__main__":

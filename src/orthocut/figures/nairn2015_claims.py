@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from typing import NamedTuple
-
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -13,10 +10,14 @@ from orthocut.figures import nairn2015_rules_method as method
 from orthocut.figures import nairn2015_rules_touching as touching
 from orthocut.figures import nairn2015_rules_transition as transition
 from orthocut.figures import nairn2015_rules_zone as zone
-from orthocut.figures.canvas import PAGE, page, styled
+from orthocut.figures.canvas import styled
+from orthocut.figures.claims import (
+    Claim,
+    judge,
+    picture,
+    table,
+)
 from orthocut.figures.nairn2015_cuts import condense, cuts_of
-from orthocut.figures.nairn2015_finding import ARTEFACT, NOT_REPRODUCED, NOT_TESTED, REPRODUCED, Finding, Rule
-from orthocut.figures.palette import GREEN, ORANGE, PURPLE
 from orthocut.figures.tables import Table
 
 __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
@@ -30,25 +31,8 @@ CAPTION = (
     "them."
 )
 DIMS = ()
-COLOURS = {
-    REPRODUCED: GREEN,
-    NOT_REPRODUCED: ORANGE,
-    ARTEFACT: PURPLE,
-    NOT_TESTED: "0.55",
-}
 RANGE = 100.0
 """Largest deviation that the axis shows [%]."""
-
-
-class Claim(NamedTuple):
-    """What the paper says."""
-
-    text: str
-    source: str
-    """Where it says so."""
-    paper: str
-    """Its value, in words."""
-    rule: Rule
 
 
 CLAIMS = (
@@ -127,35 +111,12 @@ CLAIMS = (
 )
 
 
-def judged(dataset: xr.Dataset) -> list[tuple[Claim, Finding]]:
-    """Every claim with what its rule finds."""
-    cuts = cuts_of(dataset)
-    missing = Finding("", math.nan, NOT_TESTED, "runs are missing")
-    return [(claim, (claim.rule(cuts) if cuts else None) or missing) for claim in CLAIMS]
-
-
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """One row a claim: deviation from the paper, and verdict."""
-    found = judged(dataset)
-    figure = page(0.21 * len(found) + 0.7, PAGE)
-    ax = figure.subplots()
-    for row, (_, finding) in enumerate(found):
-        colour = COLOURS[finding.verdict]
-        if math.isfinite(finding.error):
-            ax.plot(min(max(finding.error, -RANGE), RANGE), row, "o", color=colour)
-        ax.text(1.02, row, finding.verdict, color=colour, va="center", transform=ax.get_yaxis_transform())
-    ax.axvline(0, color="0.4", lw=0.6, zorder=1)
-    ax.set_xlim(-1.05 * RANGE, 1.05 * RANGE)
-    ax.set_yticks(range(len(found)), [claim.text for claim, _ in found])
-    ax.set_ylim(len(found) - 0.5, -0.5)
-    ax.set_xlabel("deviation from the value of the paper [%]")
-    ax.set_ylabel("claim of the paper")
-    return figure
+    return picture(judge(CLAIMS, cuts_of(dataset)), RANGE)
 
 
 def tabulate(dataset: xr.Dataset) -> Table:
     """Claims, values and verdicts."""
-    header = ["claim", "source", "paper value", "ours", "error [%]", "verdict", "evidence"]
-    rows = [[claim.text, f"Nairn (2015), {claim.source}", claim.paper, *finding] for claim, finding in judged(dataset)]
-    return Table("Claims of Nairn (2015)", header, rows)
+    return table(judge(CLAIMS, cuts_of(dataset)), "Nairn (2015)")

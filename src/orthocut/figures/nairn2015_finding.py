@@ -4,29 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
+from orthocut.figures.claims import ARTEFACT, NOT_REPRODUCED, REPRODUCED, Finding
 from orthocut.figures.extrapolation import Fit, extrapolate
 from orthocut.figures.nairn2015_cuts import Cut, along
 from orthocut.figures.varied import transfers
 from orthocut.theory import bending, touching
-
-REPRODUCED, NOT_REPRODUCED, ARTEFACT, NOT_TESTED = "reproduced", "not reproduced", "artefact", "not tested"
-
-
-class Finding(NamedTuple):
-    """What a rule found."""
-
-    ours: str
-    """Our value, in words."""
-    error: float
-    """Deviation from the paper's value [%]; NaN where the claim is no number."""
-    verdict: str
-    """Reproduced (at zero particle size, where that is known of most cuts); not reproduced; artefact: seen at this
-    resolution, but not at zero particle size."""
-    evidence: str
-    """Which cuts, which rule."""
-
 
 Rule = Callable[[Sequence[Cut]], Finding | None]
 

@@ -7,16 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from orthocut.figures.claims import Finding
 from orthocut.figures.nairn2015_cuts import Cut, at_zero_size, select, usual
-from orthocut.figures.nairn2015_finding import (
-    Finding,
-    fits,
-    force_bending,
-    known,
-    most_known,
-    place_words,
-    verdict,
-)
+from orthocut.figures.nairn2015_finding import fits, force_bending, known, most_known, place_words, verdict
 
 
 def forces_exceed_bending_by_10_to_90_percent(cuts: Sequence[Cut]) -> Finding | None:

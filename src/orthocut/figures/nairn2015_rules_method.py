@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from orthocut.figures.claims import Finding
 from orthocut.figures.nairn2015_cuts import Cut, along, select, usual
-from orthocut.figures.nairn2015_finding import Finding, fits, known, scheme_words, verdict
+from orthocut.figures.nairn2015_finding import fits, known, scheme_words, verdict
 
 PAPER_STEADY = 5.6
 """Travel of the paper's tool in 4 ms over its depth of cut: half of 3 ms and then 1 ms at 2 m/s, over 0.9 mm [-]."""

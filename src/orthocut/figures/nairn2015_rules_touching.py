@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from orthocut.figures.claims import Finding
 from orthocut.figures.nairn2015_cuts import Cut, at_zero_size, hanging, select, usual
 from orthocut.figures.nairn2015_finding import (
-    Finding,
     fits,
     force_bending,
     force_touching,

@@ -6,9 +6,10 @@ import math
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
+from orthocut.figures.claims import Finding
 from orthocut.figures.extrapolation import Fit, extrapolate
 from orthocut.figures.nairn2015_cuts import Cut, alike, change_of, select, usual
-from orthocut.figures.nairn2015_finding import Finding, place_words, verdict
+from orthocut.figures.nairn2015_finding import place_words, verdict
 from orthocut.figures.regimes import NOTCH_LONG, Transition
 
 PAPER_TRANSITION = (2.0, 2.1)

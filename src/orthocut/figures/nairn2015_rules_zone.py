@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from orthocut.figures.claims import Finding
 from orthocut.figures.nairn2015_cuts import Cut, at_zero_size, select, usual
-from orthocut.figures.nairn2015_finding import Finding, force_bending, known, most_known, verdict
+from orthocut.figures.nairn2015_finding import force_bending, known, most_known, verdict
 
 
 def bending_is_mode_one(cuts: Sequence[Cut]) -> Finding | None:

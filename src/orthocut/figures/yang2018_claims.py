@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-import math
-from typing import NamedTuple
-
 import xarray as xr
 from matplotlib.figure import Figure
 
 from orthocut.figures import yang2018_rules_damage as damage
 from orthocut.figures import yang2018_rules_forces as force
 from orthocut.figures import yang2018_rules_material as material
-from orthocut.figures.canvas import PAGE, page, styled
-from orthocut.figures.nairn2015_finding import NOT_REPRODUCED, NOT_TESTED, REPRODUCED, Finding
-from orthocut.figures.palette import AMBER, GREEN, ORANGE
+from orthocut.figures.canvas import styled
+from orthocut.figures.claims import (
+    Claim,
+    judge,
+    picture,
+    table,
+)
 from orthocut.figures.tables import Table
-from orthocut.figures.yang2018_finding import UNDECIDED, Rule, glass_of
+from orthocut.figures.yang2018_finding import glass_of
 from orthocut.figures.yang2018_paper import FORCES, NAMES, SIMULATION, TABLE_2, mean, words
 from orthocut.figures.yang2018_runs import condense
 
@@ -28,20 +29,8 @@ CAPTION = (
     "numbers, the rules and the figures that show them."
 )
 DIMS = ("sample",)
-COLOURS = {REPRODUCED: GREEN, NOT_REPRODUCED: ORANGE, UNDECIDED: AMBER, NOT_TESTED: "0.55"}
 RANGE = 200.0
 """Largest deviation that the axis shows [%]."""
-
-
-class Claim(NamedTuple):
-    """What the paper says."""
-
-    text: str
-    source: str
-    """Where it says so."""
-    paper: str
-    """Its value, in words."""
-    rule: Rule
 
 
 CLAIMS = (
@@ -93,37 +82,12 @@ CLAIMS = (
 )
 
 
-def judged(dataset: xr.Dataset) -> list[tuple[Claim, Finding]]:
-    """Every claim with what its rule finds."""
-    glass = glass_of(dataset)
-    missing = Finding("", math.nan, NOT_TESTED, "runs are missing")
-    return [(claim, claim.rule(glass) or missing) for claim in CLAIMS]
-
-
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """One row a claim: deviation from the paper, and verdict."""
-    found = judged(dataset)
-    figure = page(0.21 * len(found) + 0.7, PAGE)
-    ax = figure.subplots()
-    for row, (_, finding) in enumerate(found):
-        colour = COLOURS[finding.verdict]
-        if math.isfinite(finding.error):
-            ax.plot(min(max(finding.error, -RANGE), RANGE), row, "o", color=colour)
-        ax.text(1.02, row, finding.verdict, color=colour, va="center", transform=ax.get_yaxis_transform())
-    ax.axvline(0, color="0.4", lw=0.6, zorder=1)
-    ax.set_xlim(-1.05 * RANGE, 1.05 * RANGE)
-    ax.set_yticks(range(len(found)), [claim.text for claim, _ in found])
-    ax.set_ylim(len(found) - 0.5, -0.5)
-    ax.set_xlabel("deviation from the value of the paper [%]")
-    ax.set_ylabel("claim of the paper")
-    return figure
+    return picture(judge(CLAIMS, glass_of(dataset)), RANGE)
 
 
 def tabulate(dataset: xr.Dataset) -> Table:
     """Claims, values and verdicts."""
-    header = ["claim", "source", "paper value", "ours", "error [%]", "verdict", "evidence"]
-    rows = [
-        [claim.text, f"Yang et al. (2018), {claim.source}", claim.paper, *finding] for claim, finding in judged(dataset)
-    ]
-    return Table("Claims of Yang et al. (2018)", header, rows)
+    return table(judge(CLAIMS, glass_of(dataset)), "Yang et al. (2018)")

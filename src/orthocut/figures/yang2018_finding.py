@@ -8,13 +8,11 @@ from typing import NamedTuple
 
 import xarray as xr
 
+from orthocut.figures.claims import NOT_REPRODUCED, REPRODUCED, UNDECIDED, Finding
 from orthocut.figures.confidence import Interval, ratio
-from orthocut.figures.nairn2015_finding import NOT_REPRODUCED, REPRODUCED, Finding
 from orthocut.figures.yang2018_paper import Cut
 from orthocut.figures.yang2018_runs import GlassRun, conditions, cuts_of, paired, runs_of
 
-UNDECIDED = "undecided"
-"""Too few replicates to tell."""
 BAND = 0.10
 """Deviation from a number of the paper that counts as agreement [-]."""
 VAGUE = 0.20

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from orthocut.figures.claims import Finding
 from orthocut.figures.confidence import Interval
-from orthocut.figures.nairn2015_finding import Finding
 from orthocut.figures.yang2018_finding import (
     GROOVED,
     REGULAR,

@@ -6,13 +6,12 @@ import math
 
 from scipy.special import fdtrc
 
+from orthocut.figures.claims import NOT_REPRODUCED, REPRODUCED, UNDECIDED, Finding
 from orthocut.figures.confidence import Interval, interval, needed, prediction, ratio
-from orthocut.figures.nairn2015_finding import NOT_REPRODUCED, REPRODUCED, Finding
 from orthocut.figures.yang2018_comparison import factor
 from orthocut.figures.yang2018_finding import (
     GROOVED,
     REGULAR,
-    UNDECIDED,
     Glass,
     Rule,
     above,

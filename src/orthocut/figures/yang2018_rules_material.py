@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from orthocut.figures.claims import NOT_REPRODUCED, REPRODUCED, Finding
 from orthocut.figures.confidence import interval
-from orthocut.figures.nairn2015_finding import NOT_REPRODUCED, REPRODUCED, Finding
 from orthocut.figures.yang2018_finding import Glass, Rule, agrees, deviation, said, worst
 from orthocut.figures.yang2018_paper import CRACKS, TABLE_2, Property
 from orthocut.figures.yang2018_runs import GlassRun, as_printed

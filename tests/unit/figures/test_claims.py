@@ -13,16 +13,10 @@ from orthocut.figures import nairn2015_rules_touching as touching
 from orthocut.figures import nairn2015_rules_transition as transition
 from orthocut.figures import nairn2015_rules_zone as zone
 from orthocut.figures import registry
+from orthocut.figures.claims import ARTEFACT, NOT_REPRODUCED, NOT_TESTED, REPRODUCED
 from orthocut.figures.nairn2015_claims import CLAIMS
 from orthocut.figures.nairn2015_cuts import Cut, at_zero_size, condense, cuts_of, hanging, usual
-from orthocut.figures.nairn2015_finding import (
-    ARTEFACT,
-    NOT_REPRODUCED,
-    NOT_TESTED,
-    REPRODUCED,
-    force_bending,
-    force_touching,
-)
+from orthocut.figures.nairn2015_finding import force_bending, force_touching
 from orthocut.io.collect import collect
 
 DEPTHS = (0.5, 1.0, 1.5, 2.0, 2.1, 3.0, 5.0)

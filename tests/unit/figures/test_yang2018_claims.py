@@ -11,11 +11,11 @@ from orthocut.figures import registry
 from orthocut.figures import yang2018_rules_damage as damage
 from orthocut.figures import yang2018_rules_forces as force
 from orthocut.figures import yang2018_rules_material as material
+from orthocut.figures.claims import NOT_REPRODUCED, NOT_TESTED, REPRODUCED, UNDECIDED
 from orthocut.figures.confidence import Interval
-from orthocut.figures.nairn2015_finding import NOT_REPRODUCED, NOT_TESTED, REPRODUCED
 from orthocut.figures.yang2018_claims import CLAIMS
 from orthocut.figures.yang2018_convergence import changes
-from orthocut.figures.yang2018_finding import UNDECIDED, Glass, above, agrees, below, glass_of, said, worst
+from orthocut.figures.yang2018_finding import Glass, above, agrees, below, glass_of, said, worst
 from orthocut.figures.yang2018_paper import SIMULATION, TABLE_2, mean
 from orthocut.figures.yang2018_runs import (
     PARTS,
