@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from orthocut.dem.joint_kinds import BONDED, GAPPED, draw_kinds
 from orthocut.dem.pairs import close_pairs
 from orthocut.dem.state import Contacts, Cracks, Joints, Law, Scene, Walls
 from orthocut.kernels.dem import layout
+from orthocut.kernels.dem.joint_order import sort_joints
 from orthocut.params.dem import FlatJoint
 
 NO_DISCS = np.zeros(0, dtype=np.int64)
@@ -44,39 +44,43 @@ def install_joints(x: np.ndarray, y: np.ndarray, radius: np.ndarray, joint: Flat
     smaller = np.minimum(radius[first], radius[second])
     kinds = draw_kinds(np.column_stack([x, y]), pairs, joint)
     touching = distance - np.where(kinds == GAPPED, joint.gapped_opening * smaller, 0.0)
-    n_blocks = -(-len(pairs) // layout.LANES)
+    n_blocks = -(-len(pairs) // layout.LANES) + 1  # the last whole block and the last other one can be partly filled
+    n_places = n_blocks * layout.LANES
     state = np.zeros((n_blocks, layout.FIELDS))
 
-    def fill(field: int, values: np.ndarray | float, rest: float = 0.0) -> None:
-        column = np.full(n_blocks * layout.LANES, rest)
+    def fill(field: int, values: np.ndarray | float) -> None:
+        column = np.zeros(n_places)
         column[: len(pairs)] = values
         state[:, field : field + layout.LANES] = column.reshape(n_blocks, layout.LANES)
 
-    fill(layout.DISTANCE, touching, 1.0)
+    fill(layout.DISTANCE, touching)
     fill(layout.HALF_LENGTH, joint.radius_multiplier * smaller)
     fill(layout.STIFFNESS, joint.modulus / (radius[first] + radius[second]))
     fill(layout.DIFFERENCE, radius[first] - radius[second])
-    fill(layout.NORMAL_X, dx / distance, 1.0)
+    fill(layout.NORMAL_X, dx / distance)
     fill(layout.NORMAL_Y, dy / distance)
     for element in range(joint.elements):
         fill(layout.BONDED + element * layout.LANES, np.where(kinds == BONDED, 1.0, 0.0))
-    return Joints(
+    joints = Joints(
         first=(layout.ROW * first).astype(np.uint32),
         second=(layout.ROW * second).astype(np.uint32),
         start=np.searchsorted(first, np.arange(len(x) + 1)).astype(np.int64),
         distance=touching,
         kind=kinds,
         live=np.ones(len(pairs), dtype=np.uint8),
-        broken=np.array([np.any(part != BONDED) for part in _blocks(kinds)], dtype=np.uint8),
+        place=np.arange(len(pairs)),
+        owner=np.full(n_places, -1),
+        lane_first=np.zeros(n_places, dtype=np.uint32),
+        lane_second=np.zeros(n_places, dtype=np.uint32),
+        lanes=np.zeros(n_blocks, dtype=np.int64),
+        broken=np.zeros(n_blocks, dtype=np.uint8),
+        tidiness=np.zeros(3, dtype=np.int64),
         state=state,
+        spare=np.zeros_like(state),
         work=np.zeros(layout.WORK),
     )
-
-
-def _blocks(values: np.ndarray) -> Iterator[np.ndarray]:
-    """Values of the joints of each block."""
-    for start in range(0, len(values), layout.LANES):
-        yield values[start : start + layout.LANES]
+    sort_joints(joints, joint.elements)
+    return joints
 
 
 def wall(
@@ -173,7 +177,7 @@ def build(
         group=np.asarray(group, dtype=np.int64),
         reaction=np.zeros(2 * (int(group.max()) + 1 if len(group) else 1)),
         tally=np.zeros(layout.TALLY),
-        clock=np.array([0, -1, 0], dtype=np.int64),
+        clock=np.array([0, -1, 0, 0], dtype=np.int64),
         law=law_of(joint),
         grid=(left, bottom, size, columns, lines),
         skin=skin,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from orthocut.kernels.dem.contacts import add_contact_forces, renew_contacts
 from orthocut.kernels.dem.integrate import accelerate, count_strays, fastest, move, sum_reactions
+from orthocut.kernels.dem.joint_order import keep_tidy
 from orthocut.kernels.dem.joint_removal import remove_joints
 from orthocut.kernels.dem.joints import add_joint_forces
 from orthocut.kernels.dem.layout import SPEED_X, SPEED_Y
@@ -17,15 +18,33 @@ CHECK = 100
 """Steps between checks of the speeds and removals of joints whose faces have left each other."""
 
 
+LOOK = 10
+"""Most steps between looks at how far the discs have moved since the last search."""
+
+
 @part
 def lists_stale(scene):
-    """Whether a disc or wall has moved half the skin since the last search: a pair could be missing from the lists."""
-    elapsed = (scene.clock[0] + 1 - scene.clock[1]) * scene.time_step
-    stale = scene.clock[1] < 0
+    """Whether a disc or wall has moved so far since the last search that a pair could be missing from the lists.
+
+    The lists hold until one has moved half the skin. They count as stale from two fifths on, and the next look is due
+    before a disc of three times the largest speed has moved the rest.
+    """
+    clock = scene.clock
+    if clock[1] < 0:
+        return True
+    if clock[0] < clock[3]:
+        return False
+    elapsed = (clock[0] + 1 - clock[1]) * scene.time_step
+    limit = 0.4 * scene.skin
+    speed = 3.0 * fastest(scene.velocity)
     for w in range(scene.walls.rows.shape[0]):
         speed_x, speed_y = scene.walls.rows[w, SPEED_X], scene.walls.rows[w, SPEED_Y]
-        stale |= elapsed * (speed_x * speed_x + speed_y * speed_y) ** 0.5 > 0.5 * scene.skin
-    return stale or count_strays(scene.position, scene.reference, 0.5 * scene.skin) > 0
+        wall_speed = (speed_x * speed_x + speed_y * speed_y) ** 0.5
+        speed = max(speed, wall_speed)
+        if elapsed * wall_speed > limit:
+            return True
+    clock[3] = clock[0] + int(min(LOOK, 0.1 * scene.skin / (speed * scene.time_step + 1e-300)))
+    return count_strays(scene.position, scene.reference, limit) > 0
 
 
 @part
@@ -85,6 +104,7 @@ def advance(scene, steps):
             removed = remove_joints(scene.joints, scene.tally, scene.position, scene.radius, scene.law)
             if removed > 0:
                 scene.clock[1] = -1
+            keep_tidy(scene.joints, scene.law.elements)
         if step_once(scene) != DONE:
             return TOO_FAST if too_fast(scene) else CROWDED
     return TOO_FAST if too_fast(scene) else DONE

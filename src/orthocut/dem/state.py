@@ -23,7 +23,7 @@ class Law(NamedTuple):
 
 
 class Joints(NamedTuple):
-    """Flat joints in ascending order of the first disc."""
+    """Flat joints in ascending order of the first disc, and the blocks of lanes in which they are computed."""
 
     first: np.ndarray
     """(n_joints,) uint32, four times the index of the first disc."""
@@ -38,10 +38,24 @@ class Joints(NamedTuple):
     """(n_joints,) int8, as installed; see `orthocut.dem.joint_kinds`."""
     live: np.ndarray
     """(n_joints,) uint8, 0 after removal."""
+    place: np.ndarray
+    """(n_joints,) int64, block times `LANES` plus lane; -1 once a removed joint has lost its lane."""
+    owner: np.ndarray
+    """(n_places,) int64, joint in each lane, -1 for none."""
+    lane_first: np.ndarray
+    """(n_places,) uint32, `first` of the joint in each lane."""
+    lane_second: np.ndarray
+    """(n_places,) uint32, `second` of the joint in each lane."""
+    lanes: np.ndarray
+    """(n_blocks,) int64, lanes in use."""
     broken: np.ndarray
     """(n_blocks,) uint8, 1 for a block with an element that has broken or was never bonded."""
+    tidiness: np.ndarray
+    """(3,) int64, see `orthocut.kernels.dem.joint_order`: blocks in use, blocks of whole joints, needless work."""
     state: np.ndarray
     """(n_blocks, FIELDS), see `orthocut.kernels.dem.layout`."""
+    spare: np.ndarray
+    """(n_blocks, FIELDS) scratch of the sort."""
     work: np.ndarray
     """(WORK,) scratch of one block."""
 
@@ -115,7 +129,8 @@ class Scene(NamedTuple):
     tally: np.ndarray
     """(TALLY,) energies [J/m], see `orthocut.kernels.dem.layout`."""
     clock: np.ndarray
-    """(3,) int64: number of steps done, step of the last search (-1: search anew), number of searches."""
+    """(4,) int64: number of steps done, step of the last search (-1: search anew), number of searches, step of the next
+    look at how far the discs have moved."""
     law: Law
     grid: tuple[float, float, float, int, int]
     """Corner of the grid of cells (x, y) [m], cell size [m], number of columns, number of rows."""

@@ -78,9 +78,9 @@ def test_installed_joints_have_the_stated_faces_and_gaps(packed):
     surfaces = apart - packed.radius[first] - packed.radius[second]
     assert 0.09 < (surfaces / smaller).max() <= 0.1
     state = scene.joints.state.reshape(-1, layout.FIELDS // layout.LANES, layout.LANES)
-    half = state[:, layout.HALF_LENGTH // layout.LANES].ravel()[: len(first)]
+    half = state[:, layout.HALF_LENGTH // layout.LANES].ravel()[scene.joints.place]
     assert half == pytest.approx(0.8 * smaller)
-    assert scene.joints.broken.all()
+    assert (scene.joints.broken[scene.joints.place // layout.LANES] == gapped).all()
 
 
 @pytest.mark.parametrize(

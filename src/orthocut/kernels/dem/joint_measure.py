@@ -17,10 +17,10 @@ from orthocut.kernels.laws.flat_joint import element_closure
 
 
 @part
-def element_shear(joints, b, e):
-    """Shear stress of element `e` of joint `b` [Pa]; in whole blocks the first element stands for all."""
-    own = e if joints.broken[b // LANES] != 0 else 0
-    return joints.state[b // LANES, STRESS_SHEAR + own * LANES + b % LANES]
+def element_shear(joints, place, e):
+    """Shear stress of element `e` of the joint at a place [Pa]; in whole blocks the first element stands for all."""
+    own = e if joints.broken[place // LANES] != 0 else 0
+    return joints.state[place // LANES, STRESS_SHEAR + own * LANES + place % LANES]
 
 
 @part
@@ -57,8 +57,15 @@ def measure_joints(force_x, force_y, moment, intact, joints, position, law):
     """
     total = 0.0
     for b in range(joints.first.size):
-        block = joints.state[b // LANES]
-        k = b % LANES
+        force_x[b] = 0.0
+        force_y[b] = 0.0
+        moment[b] = 0.0
+        intact[b] = 0.0
+        place = joints.place[b]
+        if place < 0:
+            continue
+        block = joints.state[place // LANES]
+        k = place % LANES
         i, j = joints.first[b], joints.second[b]
         dx = position[j] - position[i]
         dy = position[j + 1] - position[i + 1]
@@ -68,13 +75,11 @@ def measure_joints(force_x, force_y, moment, intact, joints, position, law):
         half_length = block[HALF_LENGTH + k] / law.elements
         normal = 0.0
         shear = 0.0
-        moment[b] = 0.0
-        intact[b] = 0.0
         for e in range(law.elements):
             offset = (2 * e + 1 - law.elements) * half_length
             bonded = block[BONDED + e * LANES + k]
             force, own, energy = element_closure(bonded, gap - bend * offset, bend, half_length, stiffness)
-            stress = element_shear(joints, b, e)
+            stress = element_shear(joints, place, e)
             normal += force
             shear += 2.0 * half_length * stress
             moment[b] += offset * force + own

@@ -1,6 +1,7 @@
 """Removal of joints whose faces have left each other."""
 
 from orthocut.kernels.dem.joint_measure import joint_energy
+from orthocut.kernels.dem.joint_order import IN_USE
 from orthocut.kernels.dem.layout import (
     BEND,
     BONDED,
@@ -29,11 +30,12 @@ def remove_joints(joints, tally, position, radius, law):
         Number of joints removed.
     """
     removed = 0
-    for b in range(joints.first.size):
-        if joints.broken[b // LANES] == 0 or joints.live[b] == 0:
+    for place in range(joints.tidiness[IN_USE] * LANES):
+        b = joints.owner[place]
+        if joints.broken[place // LANES] == 0 or b < 0 or joints.live[b] == 0:
             continue
-        block = joints.state[b // LANES]
-        k = b % LANES
+        block = joints.state[place // LANES]
+        k = place % LANES
         bonded = 0.0
         for e in range(law.elements):
             bonded += block[BONDED + e * LANES + k]

@@ -1,9 +1,11 @@
 """Forces of all flat joints: scalar gather, vectorised response of a block of joints, scalar scatter.
 
 A block whose elements are all bonded takes a short path in which the number of elements does not matter. When the most
-loaded element of any of its joints reaches its strength, the block changes to the general path, for good.
+loaded element of any of its joints reaches its strength, the block changes to the general path, until the joints are
+sorted (`orthocut.kernels.dem.joint_order`).
 """
 
+from orthocut.kernels.dem.joint_order import IN_USE
 from orthocut.kernels.dem.layout import (
     BEND,
     BONDED,
@@ -155,8 +157,8 @@ def respond_element(block, work, e, elements, stiffness_ratio, strength_tensile,
 
 
 @part
-def record_cracks(log, count, tally, block, work, position, first, start, lanes, e, elements, step):
-    """Log the breaks of element `e` in a block, in the order of the joints."""
+def record_cracks(log, count, tally, block, work, position, first, owner, start, lanes, e, elements, step):
+    """Log the breaks of element `e` in a block, in the order of the lanes."""
     for k in range(lanes):
         if work[W_MODE + k] != 0.0:
             i = first[start + k]
@@ -170,7 +172,7 @@ def record_cracks(log, count, tally, block, work, position, first, start, lanes,
             log[row + 2] = position[i + 1] + lever * normal_y + offset * normal_x
             log[row + 3] = normal_x
             log[row + 4] = normal_y
-            log[row + 5] = 2.0 * (start + k) + work[W_MODE + k] - 1.0
+            log[row + 5] = 2.0 * owner[start + k] + work[W_MODE + k] - 1.0
             count[0] += 1
             tally[FRACTURE] += work[W_RELEASED + k]
 
@@ -178,7 +180,7 @@ def record_cracks(log, count, tally, block, work, position, first, start, lanes,
 @part
 def respond_broken(
     block, work, elements, stiffness_ratio, strength_tensile, cohesion, tangent, friction,
-    log, count, tally, position, first, start, lanes, step,
+    log, count, tally, position, first, owner, start, lanes, step,
 ):  # fmt: skip
     """Response of a block with broken elements."""
     for k in range(LANES):
@@ -192,7 +194,7 @@ def respond_broken(
         )
         tally[FRICTION] += loss
         if breaks > 0:
-            record_cracks(log, count, tally, block, work, position, first, start, lanes, e, elements, step)
+            record_cracks(log, count, tally, block, work, position, first, owner, start, lanes, e, elements, step)
 
 
 @part
@@ -253,12 +255,11 @@ def add_joint_forces(force, joints, cracks, tally, position, law, step):
     """
     reach = (law.elements - 1.0) / law.elements
     work = joints.work
-    n = joints.first.size
-    for b in range(joints.state.shape[0]):
+    for b in range(joints.tidiness[IN_USE]):
         block = joints.state[b]
         start = b * LANES
-        lanes = min(LANES, n - start)
-        gather(work, position, joints.first, joints.second, start, lanes)
+        lanes = joints.lanes[b]
+        gather(work, position, joints.lane_first, joints.lane_second, start, lanes)
         follow(block, work)
         if joints.broken[b] == 0:
             failing = respond_whole(
@@ -270,7 +271,8 @@ def add_joint_forces(force, joints, cracks, tally, position, law, step):
         if joints.broken[b] != 0:
             respond_broken(
                 block, work, law.elements, law.stiffness_ratio, law.strength_tensile, law.cohesion, law.tangent,
-                law.friction, cracks.log, cracks.count, tally, position, joints.first, start, lanes, step,
+                law.friction, cracks.log, cracks.count, tally, position, joints.lane_first, joints.owner, start, lanes,
+                step,
             )  # fmt: skip
         resolve(block, work)
-        scatter(force, work, joints.first, joints.second, start, lanes)
+        scatter(force, work, joints.lane_first, joints.lane_second, start, lanes)

@@ -35,7 +35,7 @@ STRESS_SHEAR = 8 * LANES
 BONDED = (8 + ELEMENTS) * LANES
 """1 while an element is bonded, else 0."""
 SHIFT = (8 + 2 * ELEMENTS) * LANES
-"""Shear displacement since the block has an element that is not bonded [m]."""
+"""Shear displacement since the block takes the general path [m]."""
 FIELDS = (9 + 2 * ELEMENTS) * LANES
 """Numbers in a block."""
 
