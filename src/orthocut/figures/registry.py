@@ -57,6 +57,7 @@ FIGURES = {
     "yang2018_table6": "yang2018_table6",
     "yang2018_damage": "yang2018_damage",
     "yang2018_convergence": "yang2018_convergence",
+    "yang2018_causes": "yang2018_causes",
     "yang2018_claims": "yang2018_claims",
     "show": "show",
 }

@@ -88,13 +88,14 @@ def runs_for(name):
             for joint in joints
             for seed in (1, 2)
         ]
-    if name in ("yang2018_convergence", "yang2018_claims", "yang2018_table4"):
+    if name in ("yang2018_convergence", "yang2018_causes", "yang2018_claims", "yang2018_table4"):
         changes = ({}, {"cut_speed": "0.5 m/s"}, {"joint.damping": 0.3}, {"joint.time_step_factor": 0.25})
         cuts = [glass(depth, surface, seed) for depth in (0.1, 0.2) for surface in ({}, GROOVED) for seed in (1, 2, 3)]
         cuts += [glass(0.1, change, seed) for change in changes[1:] for seed in (1, 2)]
         cuts += [glass(0.2, {"grooves": {"bottom_ratio": 0.5}}, seed) for seed in (1, 2)]
         tests = [dem_test_run(kind, cracks=3, **BIG) for kind in ("dem_tension", "dem_compression")]
-        return [registry.condense(name)(cut) for cut in cuts] + tests
+        short = registry.condense(name)
+        return [short(cut) if short else cut for cut in cuts] + tests
     if name in ("yang2018_fig05", "yang2018_fig06", "yang2018_fig07"):
         return [dem_test_run("dem_tension", **BIG), dem_test_run("dem_tension", cracks=9, **BIG, **{"packing.seed": 2})]
     if name == "nairn2015_fig07":
