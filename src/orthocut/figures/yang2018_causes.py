@@ -24,8 +24,8 @@ from orthocut.figures.yang2018_runs import GlassRun, as_printed, condition, cond
 from orthocut.io.collect import parameters
 
 CAPTION = (
-    "Factor by which one change, all else equal, alters the mean main force (filled) and thrust force (open) of cuts of "
-    "glass, packing by packing, with 95 % confidence intervals; below, what there is to explain: simulated over "
+    "Factor by which one change, all else equal, alters the mean main force (filled) and thrust force (open) of cuts "
+    "of glass, packing by packing, with 95 % confidence intervals; below, what there is to explain: simulated over "
     "measured forces for the same width, of the paper and of this work."
 )
 DIMS = ()
