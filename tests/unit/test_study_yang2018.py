@@ -45,7 +45,7 @@ def test_cuts_of_the_tables_differ_in_depth_grooves_and_packing_alone(plan):
     same = {(case.joint, case.tool, case.cut_speed, case.travel, case.packing.radius_min) for case in cases}
     assert len(same) == 1
     assert {case.cut_depth for case in cases} == {0.1e-3, 0.2e-3}
-    assert len({case.packing.seed for case in cases}) == 8
+    assert len({case.packing.seed for case in cases}) == 20
 
 
 def test_printed_specimens_have_the_default_joints(plan):
@@ -56,7 +56,8 @@ def test_printed_specimens_have_the_default_joints(plan):
 def test_calibrated_joints_are_the_same_everywhere(plan):
     tests = [plan.cases[case].joint for case in members(plan, "yang2018_table2", "calibrated_tension")]
     cuts = [plan.cases[case].joint for case in members(plan, "yang2018_claims", "regular", "trapezoids")]
-    assert len({*tests, *cuts}) == 1
+    damping = {"damping": tests[0].damping}
+    assert len({joint.model_copy(update=damping) for joint in (*tests, *cuts)}) == 1
 
 
 @pytest.mark.skipif(not CALIBRATED.exists(), reason="no published calibration")

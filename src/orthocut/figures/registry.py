@@ -54,6 +54,8 @@ FIGURES = {
     "yang2018_table1": "yang2018_table1",
     "yang2018_table2": "yang2018_table2",
     "yang2018_table4": "yang2018_table4",
+    "yang2018_table4_damped": "yang2018_table4",
+    "yang2018_table4_damped_slow": "yang2018_table4",
     "yang2018_table6": "yang2018_table6",
     "yang2018_damage": "yang2018_damage",
     "yang2018_convergence": "yang2018_convergence",

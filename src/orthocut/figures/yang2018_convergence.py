@@ -42,7 +42,7 @@ CAPTION = (
 DIMS = ("sample",)
 PANELS = (
     ("cut_speed", "speed of the tool $v$ [m/s]", 0.0),
-    ("joint_damping", "local damping [-]", 0.7),
+    ("joint_damping", "local damping [-]", 0.1),
     ("packing_radius_min", "smallest radius $R_{min}$ [µm]", 0.0),
     ("joint_time_step_factor", "time step factor [-]", 0.0),
 )
