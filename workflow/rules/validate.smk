@@ -15,21 +15,26 @@ rule validate:
         "{params.python:q} -m pytest tests/validation --junitxml {output:q} > {log:q} 2>&1"
 
 
-rule step_cost:
+BENCHMARKS = ("scaling", "roofline", "mpm_features", "dem_features", "skips", "setup_cost")
+
+
+rule benchmark:
     output:
-        f"{RESULTS}/benchmarks/step_cost.jsonl",
+        f"{RESULTS}/benchmarks/{{name}}.csv",
     log:
-        f"{RESULTS}/logs/step_cost.log",
+        f"{RESULTS}/logs/benchmarks/{{name}}.log",
     conda:
         "../envs/orthocut.yaml"
+    wildcard_constraints:
+        name="|".join(BENCHMARKS),
     threads: OPTIONS.batch_cores
     params:
         python=sys.executable,
         sources=[digest_numbers("mpm"), digest_numbers("dem")],
     shell:
-        "{params.python:q} benchmarks/step_cost.py > {output:q} 2> {log:q}"
+        "{params.python:q} benchmarks/{wildcards.name}.py --output {output:q} > {log:q} 2>&1"
 
 
 rule benchmarks:
     input:
-        rules.step_cost.output,
+        expand(f"{RESULTS}/benchmarks/{{name}}.csv", name=BENCHMARKS),
