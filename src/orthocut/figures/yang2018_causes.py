@@ -139,9 +139,15 @@ def changes(cuts: Sequence[GlassRun]) -> Iterator[Row]:
             groups[tuple(sorted(rest.items()))][choice.said(cut)].append(cut)
         for group in groups.values():
             usual = [runs for runs in group.values() if choice.is_usual(runs[0])]
-            for said, runs in group.items():
+            for said, runs in sorted(group.items(), key=lambda pair: _values(pair[1][0], choice)):
                 if usual and runs is not usual[0] and choice is _narrowest(runs[0], usual[0][0]):
                     yield from _row(choice, said, runs, usual[0])
+
+
+def _values(run: GlassRun, choice: Choice) -> tuple[float, ...]:
+    """Values of the fields of a choice, to sort by."""
+    fields = parameters(run.case)
+    return tuple(float(fields[name]) for name in choice.fields if name in fields)
 
 
 def _narrowest(run: GlassRun, other: GlassRun) -> Choice:
@@ -227,8 +233,12 @@ def _panel(ax: Axes, rows: Sequence[Row]) -> None:
     ax.set_xscale("log")
     ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     ax.xaxis.set_minor_formatter(NullFormatter())
-    ax.set_yticks(range(len(rows)), [f"{row.choice} {row.change} ({row.at})" for row in rows], fontsize=5.5)
+    ax.set_yticks(range(len(rows)), [_label(row) for row in rows], fontsize=5.5)
     ax.set_ylim(len(rows) - 0.4, -0.6)
+
+
+def _label(row: Row) -> str:
+    return f"{row.change if row.choice == GAP else f'{row.choice} {row.change}'} ({row.at})"
 
 
 def tabulate(dataset: xr.Dataset) -> Table:

@@ -28,6 +28,7 @@ from orthocut.figures.yang2018_runs import (
     forces,
     paired,
 )
+from orthocut.io.collect import parameters
 from orthocut.variables import VARIABLES
 
 __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
@@ -53,8 +54,8 @@ CUTS = (GREEN, SKY, PURPLE, AMBER)
 """Colours of the cuts of the paper, by depth of cut and surface."""
 ROOM = 2.2
 """Top of an axis over the largest mean: intervals of few packings may be longer."""
-LEAST = 2
-"""Fewest values of a series."""
+LEAST, DRAWN = 2, 3
+"""Fewest values of a series in the table, and of one that is drawn where there is another."""
 
 
 @styled
@@ -88,11 +89,13 @@ def draw(dataset: xr.Dataset) -> Figure:
 
 
 def _field(ax: Axes, cuts: Sequence[GlassRun], field: str) -> None:
-    """Means with their intervals over one field; one symbol a series."""
+    """Means with their intervals over one field; one symbol a series, named where there are several."""
     groups = along(cuts, field, LEAST)
+    groups = [group for group in groups if len(group) >= DRAWN] or groups[:1]
     if not groups:
         ax.text(0.5, 0.5, "no series", transform=ax.transAxes, ha="center", color="0.5")
-    for group, marker in zip(groups, MARKERS, strict=False):
+    for group, marker, name in zip(groups, MARKERS, _names(groups, field), strict=False):
+        _name(ax, group, field, name)
         places = np.array(list(group)) * VARIABLES[field].scale
         for name, face in zip(FORCES, (QUANTITY[FORCES[0]], "white"), strict=True):
             known = [interval(forces(runs, name)) for runs in group.values()]
@@ -108,6 +111,27 @@ def _field(ax: Axes, cuts: Sequence[GlassRun], field: str) -> None:
         ax.set_xlim(0, 1.06 * ax.get_xlim()[1] if groups else 1.0)
     means = [interval(forces(runs, name)).mean for group in groups for runs in group.values() for name in FORCES]
     ax.set_ylim(0, ROOM * max(means, default=1.0))
+
+
+def _names(groups: Sequence[dict[float, list[GlassRun]]], field: str) -> list[str]:
+    """What tells series apart; nothing for a single one."""
+    fields = [dict(parameters(next(iter(group.values()))[0].case)) for group in groups]
+    names = [name for name in (fields[0] if fields else ()) if name not in (field, "seed")]
+    differ = [name for name in names if len({one.get(name) for one in fields}) > 1]
+    return [
+        ", ".join(
+            f"{VARIABLES[name].long_name} {one[name] * VARIABLES[name].scale:g}" for name in differ if name in one
+        )
+        for one in fields
+    ]
+
+
+def _name(ax: Axes, group: dict[float, list[GlassRun]], field: str, name: str) -> None:
+    """Write the name of a series over its last main force."""
+    value, runs = max(group.items())
+    top = interval(forces(runs, FORCES[0]))
+    place = value * VARIABLES[field].scale, top.mean + (top.half if math.isfinite(top.half) else 0.0)
+    ax.annotate(name, place, (0, 3), textcoords="offset points", ha="right", va="bottom", fontsize=5)
 
 
 def _replicates(ax: Axes, found: dict) -> None:
