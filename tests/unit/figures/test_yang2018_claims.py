@@ -103,6 +103,26 @@ def test_being_less_is_judged_with_the_interval(known, wanted):
     assert above(mirrored, 1.0) == wanted
 
 
+def test_grooves_at_the_other_pitch_and_damped_cuts_are_evidence():
+    usual = four()
+    assert "pitch" not in force.grooves_lower_forces(glass(usual)).evidence
+    closer = [cut(0.2, True, seed, 0.5, {"distance": "0.14 mm"}) for seed in (1, 2, 3)]
+    paper = {place: mean(SIMULATION[place]["force_cutting"]) for place in CUTS}
+    expected = 0.5 * paper[0.2, True] / paper[0.2, False]
+    found = force.grooves_lower_forces(glass(usual + closer)).evidence
+    assert f"as the pitch of the grooves: {expected:.3g} ± " in found
+    assert "at 0.2 mm" in found
+    assert "at 0.1 mm" not in found.split("pitch")[1]
+
+    rule = force.mean_is((0.1, False), "force_cutting")
+    assert "damping" not in rule(glass(usual)).evidence
+    damped = [
+        GlassRun(make_case("dem_cutting", **{"cut_depth": "0.1 mm", "packing.seed": seed, "joint.damping": 0.9}), known)
+        for seed, known in ((1, {"force_cutting_mean": 50.0}), (2, {"force_cutting_mean": 52.0}))
+    ]
+    assert "with a damping of 0.9 51.0 ± " in rule(glass(usual + damped)).evidence.replace("51 ±", "51.0 ±")
+
+
 def test_every_part_of_a_claim_must_hold():
     assert worst([REPRODUCED, UNDECIDED]) == UNDECIDED
     assert worst([UNDECIDED, NOT_REPRODUCED]) == NOT_REPRODUCED
