@@ -33,6 +33,7 @@ FIGURES = {
     "nairn2015_regimes": "nairn2015_regimes",
     "nairn2015_transition": "nairn2015_transition",
     "nairn2015_convergence": "nairn2015_convergence",
+    "nairn2015_precision": "nairn2015_precision",
     "nairn2015_touching": "nairn2015_touching",
     "nairn2015_robustness": "nairn2015_robustness",
     "nairn2015_claims": "nairn2015_claims",
