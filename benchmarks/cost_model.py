@@ -72,15 +72,16 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=Path("results/benchmarks/cost_model.csv"))
     options = parser.parse_args()
     chosen = {name: load(kind, values) for name, (kind, values) in CASES.items() if options.only in name}
-    rows = [measure(name, case) for name, case in track(chosen.items(), "measuring", console=Console(stderr=True))]
     options.output.parent.mkdir(parents=True, exist_ok=True)
-    table = Table(*HEADER)
+    table, rows = Table(*HEADER), []
     with open(options.output, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(HEADER)
-        for row in rows:
-            cells = [f"{cell:.3g}" if isinstance(cell, float) else str(cell) for cell in row]
+        for name, case in track(chosen.items(), "measuring", console=Console(stderr=True)):
+            rows.append(measure(name, case))
+            cells = [f"{cell:.3g}" if isinstance(cell, float) else str(cell) for cell in rows[-1]]
             writer.writerow(cells)
+            file.flush()
             table.add_row(*cells)
     Console().print(table)
     for column in (-2, -1):
@@ -114,7 +115,7 @@ def shortest(case: Case) -> Case:
     if case.kind == "mpm_cutting":
         numerics = case.numerics.model_copy(update={"points_per_depth": 3})
         return case.model_copy(
-            update={"travel_ratio": 1.0, "window_ratio": 0.5, "error_target": 0.0, "numerics": numerics}
+            update={"travel_ratio": 2.5, "window_ratio": 0.5, "error_target": 0.0, "numerics": numerics}
         )
     if case.kind == "dem_cutting":
         return case.model_copy(update={"travel": 2e-6})

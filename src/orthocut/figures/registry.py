@@ -58,6 +58,7 @@ FIGURES = {
     "yang2018_table6": "yang2018_table6",
     "yang2018_damage": "yang2018_damage",
     "yang2018_convergence": "yang2018_convergence",
+    "yang2018_precision": "yang2018_precision",
     "yang2018_claims": "yang2018_claims",
     "show": "show",
 }
