@@ -28,9 +28,11 @@ CAPTION = (
     "deviation of the mean of all packings from the reference and of the half-width of the 95 % confidence interval "
     "that so many packings have, by the spread of those that were run. Reference: the mean force at zero speed of the "
     "tool, by a weighted straight fit over all speeds, or that at the only speed there is; shaded up to the half-width "
-    "of its own interval: what lies below cannot be told apart from no deviation. Each symbol differs from the cuts of that fit in what the legend names; points of a line are 1, 2, 4, 8, 16 and 32 packings. "
-    "Bars: half-widths of setting and reference. Line: settings than which no cheaper one has a smaller error. Size of "
-    "the discs is no setting of the method alone: the strength of the block changes with it."
+    "of its own interval: what lies below cannot be told apart from no deviation. Each symbol differs from the cuts of "
+    "that fit in what the legend names, a line is one setting with 1, 2, 4, 8, 16 and 32 packings; its end tells the "
+    "speed of the tool and what else is set. Bars: half-widths of setting and reference. Line: settings than which no "
+    "cheaper one has a smaller error. Size of the discs is no setting of the method alone: the strength of the block "
+    "changes with it."
 )
 DIMS = ()
 FIELDS = {
@@ -59,6 +61,8 @@ class Ensemble:
     runs: list[GlassRun]
     knob: str
     words: str
+    brief: str
+    """The same in few signs."""
 
     @property
     def cost(self) -> float:
@@ -130,8 +134,14 @@ def draw(dataset: xr.Dataset) -> Figure:
             colour = KNOBS[ensemble.knob][1]
             settings = ensemble.settings(name, reference)
             ax.plot([one.cost for one in settings], [one.error for one in settings], color=colour, lw=0.5, alpha=0.6)
+            last = settings[-1]
+            ax.annotate(ensemble.brief, (last.cost, last.error), (4, -2), textcoords="offset points", fontsize=5)
         ax.set_title(f"{NAMES[name]} force, {scene.name}", loc="left")
         ax.set_xlabel("run time of all packings on one core [s]")
+    least = min(
+        one.error for name in FORCES for some in scene.ensembles for one in some.settings(name, scene.reference(name))
+    )
+    panels[0].set_ylim(bottom=0.5 * least)
     used = {ensemble.knob for ensemble in scene.ensembles}
     handles = [
         Line2D([], [], ls="", marker=marker, color=colour, label=knob)
@@ -167,7 +177,7 @@ def _scene(groups: dict[tuple, list[GlassRun]]) -> Scene | None:
         return None
     commonest = tuple(Counter(column).most_common(1)[0][0] for column in list(zip(*groups, strict=True))[1:])
     ensembles = {
-        key: Ensemble(runs, _knob(key[1:], commonest), _words(key, commonest)) for key, runs in sorted(groups.items())
+        key: Ensemble(runs, _knob(key[1:], commonest), *_words(key, commonest)) for key, runs in sorted(groups.items())
     }
     usual = [ensemble for key, ensemble in ensembles.items() if key[1:] == commonest]
     return Scene(list(ensembles.values()), usual) if usual else None
@@ -180,11 +190,13 @@ def _knob(key: Sequence[float], commonest: Sequence[float]) -> str:
     return speed if not changed else changed[0] if len(changed) == 1 else SEVERAL
 
 
-def _words(key: Sequence[float], commonest: Sequence[float]) -> str:
-    """Speed, and all else that differs from the commonest setting."""
-    said = []
+def _words(key: Sequence[float], commonest: Sequence[float]) -> tuple[str, str]:
+    """Speed, and all else that differs from the commonest setting, at length and in short."""
+    said, brief = [], []
     for name, one, usual in zip(FIELDS, key, (None, *commonest), strict=True):
         row = VARIABLES[name]
         if one != usual:
-            said.append(f"{row.long_name} {one * row.scale:.4g} {row.display or row.unit}".removesuffix(" 1"))
-    return ", ".join(said)
+            value = f"{one * row.scale:.4g} {row.display or row.unit}".removesuffix(" 1")
+            said.append(f"{row.long_name} {value}")
+            brief.append(value)
+    return ", ".join(said), ", ".join(brief)
