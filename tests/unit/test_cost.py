@@ -35,7 +35,7 @@ def test_moving_points_of_a_cut():
     solver, counts = Solver(setup.build(case)), []
     for _ in range(10):
         solver.advance(case.steps // 20)
-        awake = solver.state.awake
+        awake = solver.freeze()["awake"]
         counts.append(LANES * sum(int(awake[body, 1] - awake[body, 0]) for body in (CHIP, BASE)))
     assert moving(case, 0.5) == pytest.approx(sum(counts) / len(counts), rel=0.15)
 

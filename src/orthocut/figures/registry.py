@@ -34,6 +34,7 @@ FIGURES = {
     "nairn2015_transition": "nairn2015_transition",
     "nairn2015_convergence": "nairn2015_convergence",
     "nairn2015_precision": "nairn2015_precision",
+    "nairn2015_accuracy": "nairn2015_accuracy",
     "nairn2015_touching": "nairn2015_touching",
     "nairn2015_robustness": "nairn2015_robustness",
     "nairn2015_claims": "nairn2015_claims",

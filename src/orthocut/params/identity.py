@@ -19,7 +19,20 @@ _NUMBERS = ("kernels", "mpm", "dem", "experiments", "measure", "params")
 _PICTURES = ("figures", "theory", "params", "variables.py")
 _DATASETS = ("io", "variables.py")
 _INPUT_ONLY = (
-    *("__init__", "block", "case", "identity", "limits", "quantity", "schema", "size", "study", "text", "units"),
+    *(
+        "__init__",
+        "accuracy",
+        "block",
+        "case",
+        "identity",
+        "limits",
+        "quantity",
+        "schema",
+        "size",
+        "study",
+        "text",
+        "units",
+    ),
     "workflow",
 )
 _LIBRARIES = ("numpy", "numba", "llvmlite", "scipy")
