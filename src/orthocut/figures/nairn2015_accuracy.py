@@ -27,9 +27,9 @@ CAPTION = (
     "depth of cut in lengths of the cohesive zone E'Gc/σc². One symbol a family of cuts that differ in particle size "
     "alone; filled: the chip bends at the finest size, open: the tool touches the crack tip. Blue: cuts with 5 and 8 "
     "points, which made the promises; orange: cuts with 12 points or more, which did not. Crosses at the top: families "
-    "whose regime hangs on the particle size, which have no limit. Lines: what is promised of 9 of 10 cuts (solid) and "
-    "what every other one keeps to (dashed). Right: error of each run of the orange families over what is promised of "
-    "it; those below the diagonal keep the promise. Bars: standard errors of run and limit."
+    "whose regime hangs on the particle size, which have no limit and no promise. Lines: what is promised of 9 of 10 "
+    "other cuts (solid) and what every other one keeps to (dashed). Right: error of each run of the orange families "
+    "over what is promised of it; those below the diagonal keep the promise. Bars: standard errors of run and limit."
 )
 DIMS = ()
 HELD_OUT = 12
