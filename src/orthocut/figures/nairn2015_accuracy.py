@@ -16,6 +16,7 @@ from matplotlib.lines import Line2D
 from orthocut.figures.canvas import PAGE, cases, nothing, page, styled
 from orthocut.figures.extrapolation import Fit, extrapolate
 from orthocut.figures.palette import BLACK, BLUE, GREY, ORANGE
+from orthocut.figures.precision import plain
 from orthocut.figures.sweep import over_toughness, touches
 from orthocut.figures.tables import Table
 from orthocut.io.collect import case_of, parameters
@@ -94,6 +95,8 @@ class Trial:
 def families_of(dataset: xr.Dataset) -> list[Family]:
     """Families of two sizes or more that are computed as most runs are."""
     runs = cases(dataset, "force_cutting_mean", kind="mpm_cutting")
+    if not runs:
+        return []
     numerics = [case_of(run).numerics.model_copy(update={"points_per_depth": 2}) for run in runs]
     speeds = [case_of(run).cut_speed for run in runs]
     usual = [Counter(one).most_common(1)[0][0] for one in ([item.model_dump_json() for item in numerics], speeds)]
@@ -186,8 +189,7 @@ def _family(runs: list[xr.Dataset]) -> Family:
 
 
 def _biases(ax: Axes, families: Sequence[Family]) -> None:
-    ax.set_xscale("log")
-    ax.set_yscale("log")
+    plain(ax)
     for family in families:
         colour = ORANGE if family.held_out else BLUE
         if family.one_regime:

@@ -10,13 +10,12 @@ from typing import Any
 
 import xarray as xr
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 from orthocut.cost import seconds_of
 from orthocut.figures.canvas import PAGE, cases, nothing, page, styled
 from orthocut.figures.extrapolation import Fit, extrapolate
 from orthocut.figures.palette import AMBER, BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY
-from orthocut.figures.precision import Reference, Setting, draw_settings, front, setting
+from orthocut.figures.precision import Reference, Setting, draw_settings, front, handles, setting
 from orthocut.figures.sweep import over_toughness, touches
 from orthocut.figures.tables import Table
 from orthocut.figures.varied import ELASTIC, words
@@ -145,26 +144,22 @@ def draw(dataset: xr.Dataset) -> Figure:
         nothing(figure.subplots())
         return figure
     panels = figure.subplots(1, len(found), squeeze=False, sharey=True)[0]
-    panels[0].set_ylabel("error of the cutting force [-]")
+    panels[0].set_ylabel("error of the cutting force [%]")
     used = set()
     for ax, scene in zip(panels, found, strict=True):
         settings = [one for _, one in scene.settings]
         draw_settings(ax, settings, scene.reference, KNOBS)
         for run, one in scene.settings:
             if run and one.knob == SIZE:
-                ax.annotate(str(run.points), (one.cost, one.error), (3, 3), textcoords="offset points", fontsize=6)
+                ax.annotate(
+                    str(run.points), (one.cost, 100 * one.error), (3, 3), textcoords="offset points", fontsize=6
+                )
         used |= {one.knob for one in settings}
         ax.set_title(scene.name, loc="left")
         ax.set_xlabel("run time on one core [s]")
     errors = [one.error for scene in found for _, one in scene.settings]
-    panels[0].set_ylim(0.7 * min(errors), 1.5 * max(errors))
-    handles = [
-        Line2D([], [], ls="", marker=marker, color=colour, mfc="none" if marker in "Ds^" else colour, label=knob)
-        for knob, (marker, colour) in KNOBS.items()
-        if knob in used
-    ]
-    handles.append(Line2D([], [], color=BLACK, lw=0.9, label="nothing better for less"))
-    figure.legend(handles=handles, loc="outside upper center", ncols=5, fontsize="x-small")
+    panels[0].set_ylim(70 * min(errors), 150 * max(errors))
+    figure.legend(handles=handles(KNOBS, used), loc="outside upper center", ncols=5, fontsize="x-small")
     return figure
 
 

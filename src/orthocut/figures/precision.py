@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import NamedTuple
 
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from orthocut.figures.palette import BLACK, GREY
 
 LEAST = 1e-4
 """Smallest relative error that a diagram shows."""
+OPEN = "Ds^"
+"""Markers that are drawn open."""
 
 
 class Reference(NamedTuple):
@@ -66,7 +70,7 @@ def front(settings: Sequence[Setting]) -> list[Setting]:
 def draw_settings(
     ax: Axes, settings: Sequence[Setting], reference: Reference, styles: Mapping[str, tuple[str, str]]
 ) -> None:
-    """Error over cost, both logarithmic: a symbol a setting, the front as steps, the reference's own error shaded.
+    """Error [%] over cost [s]: a symbol a setting, the front as steps, the own error of the reference shaded.
 
     Parameters
     ----------
@@ -76,20 +80,38 @@ def draw_settings(
     styles : mapping of str to (str, str)
         Knob to marker and colour.
     """
-    ax.set_xscale("log")
-    ax.set_yscale("log")
+    plain(ax, (1.0, 2.0, 5.0))
     for one in settings:
         marker, colour = styles[one.knob]
         noise = math.hypot(one.noise, reference.floor)
         low, high = max(one.error - noise, LEAST), one.error + noise
-        ax.vlines(one.cost, low, high, color=colour, lw=0.5, alpha=0.45, zorder=2)
-        ax.plot(
-            one.cost, max(one.error, LEAST), marker, color=colour, mfc="none" if marker in "Ds^" else colour, zorder=3
-        )
+        ax.vlines(one.cost, 100 * low, 100 * high, color=colour, lw=0.5, alpha=0.45, zorder=2)
+        face = "none" if marker in OPEN else colour
+        ax.plot(one.cost, 100 * max(one.error, LEAST), marker, color=colour, mfc=face, zorder=3)
     best = front(settings)
     if best:
-        costs = [one.cost for one in best] + [2 * max(one.cost for one in settings)]
-        errors = [max(one.error, LEAST) for one in best] + [max(best[-1].error, LEAST)]
+        costs = [one.cost for one in best] + [1.5 * max(one.cost for one in settings)]
+        errors = [100 * max(one.error, LEAST) for one in [*best, best[-1]]]
         ax.step(costs, errors, where="post", color=BLACK, lw=0.9, zorder=1.5)
     if reference.floor > LEAST:
-        ax.axhspan(LEAST, reference.floor, color=GREY, alpha=0.18, lw=0, zorder=0)
+        ax.axhspan(100 * LEAST, 100 * reference.floor, color=GREY, alpha=0.18, lw=0, zorder=0)
+
+
+def plain(ax: Axes, subs: Sequence[float] = (1.0,)) -> None:
+    """Logarithmic axes with plain numbers, at these multiples of powers of ten."""
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_locator(LogLocator(subs=subs))
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_formatter(NullFormatter())
+
+
+def handles(styles: Mapping[str, tuple[str, str]], used: Collection[str]) -> list[Line2D]:
+    """Entries of a legend: the knobs that are used, and the front."""
+    symbols = [
+        Line2D([], [], ls="", marker=marker, color=colour, mfc="none" if marker in OPEN else colour, label=knob)
+        for knob, (marker, colour) in styles.items()
+        if knob in used
+    ]
+    return [*symbols, Line2D([], [], color=BLACK, lw=0.9, label="nothing better for less")]

@@ -7,16 +7,17 @@ from collections import Counter, defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 from orthocut.cost import estimate_seconds
 from orthocut.figures.canvas import PAGE, nothing, page, styled
 from orthocut.figures.confidence import interval, quantile
 from orthocut.figures.extrapolation import extrapolate
-from orthocut.figures.palette import AMBER, BLACK, BLUE, GREY, ORANGE, PURPLE
-from orthocut.figures.precision import Reference, Setting, draw_settings
+from orthocut.figures.palette import AMBER, BLUE, GREY, ORANGE, PURPLE
+from orthocut.figures.precision import Reference, Setting, draw_settings, handles
 from orthocut.figures.tables import Table
 from orthocut.figures.yang2018_paper import FORCES, NAMES, words
 from orthocut.figures.yang2018_runs import GlassRun, condition, cuts_of, forces
@@ -29,8 +30,8 @@ CAPTION = (
     "that so many packings have, by the spread of those that were run. Reference: the mean force at zero speed of the "
     "tool, by a weighted straight fit over all speeds, or that at the only speed there is; shaded up to the half-width "
     "of its own interval: what lies below cannot be told apart from no deviation. Each symbol differs from the cuts of "
-    "that fit in what the legend names, a line is one setting with 1, 2, 4, 8, 16 and 32 packings; its end tells the "
-    "speed of the tool and what else is set. Bars: half-widths of setting and reference. Line: settings than which no "
+    "that fit in what the legend names, a line is one setting with 1, 2, 4, 8, 16 and 32 packings; beside its end stand "
+    "the speed of the tool and what else is set. Bars: half-widths of setting and reference. Line: settings than which no "
     "cheaper one has a smaller error. Size of the discs is no setting of the method alone: the strength of the block "
     "changes with it."
 )
@@ -52,6 +53,8 @@ KNOBS = {
 """Knob to marker and colour."""
 COUNTS = (1, 2, 4, 8, 16, 32)
 """Numbers of packings."""
+GAP = 0.05
+"""Least distance of two names of lines over the height of a panel."""
 
 
 @dataclass(frozen=True)
@@ -126,31 +129,39 @@ def draw(dataset: xr.Dataset) -> Figure:
         return figure
     scene = found[0]
     panels = figure.subplots(1, len(FORCES), sharey=True)
-    panels[0].set_ylabel("error of the mean force [-]")
+    panels[0].set_ylabel("error of the mean force [%]")
     for ax, name in zip(panels, FORCES, strict=True):
         reference = scene.reference(name)
         draw_settings(ax, [one for some in scene.ensembles for one in some.settings(name, reference)], reference, KNOBS)
         for ensemble in scene.ensembles:
             colour = KNOBS[ensemble.knob][1]
             settings = ensemble.settings(name, reference)
-            ax.plot([one.cost for one in settings], [one.error for one in settings], color=colour, lw=0.5, alpha=0.6)
-            last = settings[-1]
-            ax.annotate(ensemble.brief, (last.cost, last.error), (4, -2), textcoords="offset points", fontsize=5)
+            ax.plot(
+                [one.cost for one in settings], [100 * one.error for one in settings], color=colour, lw=0.5, alpha=0.6
+            )
         ax.set_title(f"{NAMES[name]} force, {scene.name}", loc="left")
         ax.set_xlabel("run time of all packings on one core [s]")
-    least = min(
+    errors = [
         one.error for name in FORCES for some in scene.ensembles for one in some.settings(name, scene.reference(name))
-    )
-    panels[0].set_ylim(bottom=0.5 * least)
-    used = {ensemble.knob for ensemble in scene.ensembles}
-    handles = [
-        Line2D([], [], ls="", marker=marker, color=colour, label=knob)
-        for knob, (marker, colour) in KNOBS.items()
-        if knob in used
     ]
-    handles.append(Line2D([], [], color=BLACK, lw=0.9, label="nothing better for less"))
-    figure.legend(handles=handles, loc="outside upper center", ncols=4)
+    panels[0].set_ylim(50 * min(errors), 200 * max(errors))
+    for ax, name in zip(panels, FORCES, strict=True):
+        _label_lines(ax, scene, name)
+    used = {ensemble.knob for ensemble in scene.ensembles}
+    figure.legend(handles=handles(KNOBS, used), loc="outside upper center", ncols=4)
     return figure
+
+
+def _label_lines(ax: Axes, scene: Scene, name: str) -> None:
+    """Short names of the ensembles beside the ends of their lines, in their order, none on another."""
+    low, high = np.log10(ax.get_ylim())
+    reference = scene.reference(name)
+    ends = [np.log10(100 * one.settings(name, reference)[-1].error) for one in scene.ensembles]
+    place = -math.inf
+    for end, ensemble in sorted(zip(ends, scene.ensembles, strict=True), key=lambda pair: pair[0]):
+        place = max((end - low) / (high - low), place + GAP)
+        style = {"transform": ax.transAxes, "color": KNOBS[ensemble.knob][1], "fontsize": 5, "va": "center"}
+        ax.text(1.01, place, ensemble.brief, **style)
 
 
 def tabulate(dataset: xr.Dataset) -> Table:
