@@ -80,7 +80,7 @@ def draw_settings(
     styles : mapping of str to (str, str)
         Knob to marker and colour.
     """
-    plain(ax, (1.0, 2.0, 5.0))
+    plain(ax, (1.0, 3.0), (1.0, 2.0, 5.0))
     for one in settings:
         marker, colour = styles[one.knob]
         noise = math.hypot(one.noise, reference.floor)
@@ -97,11 +97,11 @@ def draw_settings(
         ax.axhspan(100 * LEAST, 100 * reference.floor, color=GREY, alpha=0.18, lw=0, zorder=0)
 
 
-def plain(ax: Axes, subs: Sequence[float] = (1.0,)) -> None:
+def plain(ax: Axes, x: Sequence[float] = (1.0,), y: Sequence[float] = (1.0,)) -> None:
     """Logarithmic axes with plain numbers, at these multiples of powers of ten."""
     ax.set_xscale("log")
     ax.set_yscale("log")
-    for axis in (ax.xaxis, ax.yaxis):
+    for axis, subs in ((ax.xaxis, x), (ax.yaxis, y)):
         axis.set_major_locator(LogLocator(subs=subs))
         axis.set_major_formatter("{x:g}")
         axis.set_minor_formatter(NullFormatter())
