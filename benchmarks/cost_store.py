@@ -31,8 +31,10 @@ def main() -> None:
     options = parser.parse_args()
     ratios: dict[tuple[str, str], list[float]] = defaultdict(list)
     for key in Store(options.store).names():
+        if not key.endswith(digest_numbers("_".join(key.split("-")[:2]))[:8]):
+            continue
         found = read(options.store / f"{key}.nc")
-        if found is None or not key.endswith(digest_numbers(found[0].kind)[:8]):
+        if found is None:
             continue
         case, steps, seconds = found
         ratios[case.kind, "steps known"].append(seconds_of(case, steps) / seconds)

@@ -28,12 +28,12 @@ CAPTION = (
     "Error of a mean over packings against the run time of all of them on one core. Error: root of the squares of the "
     "deviation of the mean of all packings from the reference and of the half-width of the 95 % confidence interval "
     "that so many packings have, by the spread of those that were run. Reference: the mean force at zero speed of the "
-    "tool, by a weighted straight fit over all speeds, or that at the only speed there is; shaded up to the half-width "
-    "of its own interval: what lies below cannot be told apart from no deviation. Each symbol differs from the cuts of "
-    "that fit in what the legend names, a line is one setting with 1, 2, 4, 8, 16 and 32 packings; beside its end stand "
-    "the speed of the tool and what else is set. Bars: half-widths of setting and reference. Line: settings than which no "
-    "cheaper one has a smaller error. Size of the discs is no setting of the method alone: the strength of the block "
-    "changes with it."
+    "tool, by a weighted straight fit over all speeds, or that at the only speed there is; shaded up to the half- "
+    "width of its own interval: what lies below cannot be told apart from no deviation. Each symbol differs from the "
+    "cuts of that fit in what the legend names, a line is one setting with 1, 2, 4, 8, 16 and 32 packings; beside its "
+    "end stand the speed of the tool and what else is set. Bars: half-widths of setting and reference. Line: settings "
+    "than which no cheaper one has a smaller error. Size of the discs is no setting of the method alone: the strength "
+    "of the block changes with it."
 )
 DIMS = ()
 FIELDS = {
