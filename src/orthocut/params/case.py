@@ -21,6 +21,8 @@ KINDS: dict[str, type[Block]] = {
     for model in (MpmCutting, DemCutting, DemTension, DemCompression, DemBrazilian)
 }
 ALIASES = {"mpm": "mpm_cutting", "dem": "dem_cutting"}
+BESIDE = frozenset({"workpiece"})
+"""Blocks of which a preset sets some fields and a case may set others."""
 Case = MpmCutting | DemCutting | DemTension | DemCompression | DemBrazilian
 
 
@@ -130,16 +132,17 @@ def _granted(kind: str, data: Mapping[str, Any], wish: Mapping[str, Any], source
     if kind != accuracy.KIND:
         raise ConfigError(f"{source}: {said}: {kind} has none (allowed: in cases of {accuracy.KIND})")
     chosen = accuracy.choose(validate(data, source), wish, source).fields()
-    twice = sorted(name for name in chosen if name in data and not _apart(chosen[name], data[name]))
+    twice = sorted(
+        name for name in chosen if name in data and not (name in BESIDE and _apart(chosen[name], data[name]))
+    )
     if twice:
         raise ConfigError(f"{source}: {said}: also sets {', '.join(twice)} (allowed: leave these out)")
     return _merge(chosen, data)
 
 
-def _apart(chosen: Any, given: Any) -> bool:
-    """Whether two sets of fields have none in common; the numerics belong to a preset as a whole."""
-    both = isinstance(chosen, Mapping) and isinstance(given, Mapping)
-    return both and "courant" not in chosen and not set(chosen) & set(given)
+def _apart(chosen: Mapping[str, Any], given: Any) -> bool:
+    """Whether two sets of fields have none in common."""
+    return isinstance(given, Mapping) and not set(chosen) & set(given)
 
 
 def _check_names(data: Mapping[Any, Any], source: str, depth: int = 1) -> None:
