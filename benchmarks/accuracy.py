@@ -86,8 +86,9 @@ def tried(cut: dict[str, Any]) -> Iterator[list]:
     """Rows of a cut, one a wish."""
     words = ", ".join(f"{name} {value}" for name, value in cut.items())
     runs = {n: simulated({**cut, **FINE, "points_per_depth": n}) for n in SIZES}
-    if None in runs.values():
-        yield [words, depth_over_zone(load("mpm", cut)), "reference failed"]
+    failures = [f"{n} points: {run}" for n, run in runs.items() if isinstance(run, str)]
+    if failures:
+        yield [words, depth_over_zone(load("mpm", cut)), "reference failed", *failures]
         return
     forces = {n: over_toughness(run, cut) for n, run in runs.items()}
     fit = extrapolate([1 / n for n in SIZES], *zip(*(forces[n] for n in SIZES), strict=True))
@@ -97,8 +98,8 @@ def tried(cut: dict[str, Any]) -> Iterator[list]:
         points, speed = case.numerics.points_per_depth, f"{case.cut_speed:g} m/s"
         said = promise(case, Choice(points, speed, case.error_target))
         first = [words, depth_over_zone(case), " ".join(map(str, next(iter(wish.items())))), points, case.cut_speed]
-        if run is None:
-            yield [*first, "failed"]
+        if isinstance(run, str):
+            yield [*first, f"failed: {run}"]
             continue
         force, own = over_toughness(run, cut)
         error, noise = abs(force / fit.limit - 1), math.hypot(own, fit.error) / fit.limit
@@ -108,13 +109,12 @@ def tried(cut: dict[str, Any]) -> Iterator[list]:
         yield [*first, regime(run), force, fit.limit, fit.error, regimes, *numbers, kept, cost]
 
 
-def simulated(fields: dict[str, Any]) -> xr.Dataset | None:
-    """Run of a cut; None if it fails."""
+def simulated(fields: dict[str, Any]) -> xr.Dataset | str:
+    """Run of a cut, or why it failed."""
     try:
         return run_case(load("mpm", fields), snapshots=0)
     except CaseFailed as why:
-        print(f"{fields}: {why}")
-        return None
+        return str(why)
 
 
 def over_toughness(run: xr.Dataset, cut: dict[str, Any]) -> tuple[float, float]:
