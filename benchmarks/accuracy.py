@@ -27,7 +27,7 @@ from orthocut.run import run_case
 
 SIZES = (8, 12, 16)
 """Points through the chip of the runs that the reference is from."""
-FINE = {"courant": 0.7, "travel_ratio": 18, "window_ratio": 9, "length_ratio": 24, "error_target": 0.01}
+FINE = {"courant": 0.5, "travel_ratio": 18, "window_ratio": 9, "length_ratio": 24, "error_target": 0.01}
 WISHES = ({"preset": "quick"}, {"preset": "standard"}, {"tolerance": "20 %"})
 LOW, HIGH = (math.log(0.3), 12.0, 0.0, 0.0, math.log(15.0)), (math.log(3.0), 48.0, 0.5, 100.0, math.log(70.0))
 """Logarithm of the depth of cut [mm], rake angle [degree], friction, tangent modulus [MPa], logarithm of the cohesive
