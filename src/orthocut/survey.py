@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from orthocut.cost import estimate_memory, estimate_seconds
+from orthocut.io import machine
 from orthocut.io.files import write_text
 from orthocut.io.store import Entry, Store
 from orthocut.params.identity import canonical, result_key
@@ -75,15 +76,21 @@ class Survey:
     states: dict[str, str]
     """Case id to one of `STATES`; a case whose snapshots are missing counts as missing."""
     factors: dict[str, float]
-    """Kind to measured over expected run time on the machines that filled the store."""
+    """Kind to measured over predicted run time on the machines that filled the store."""
+    machine: dict[str, float]
+    """Method to the same of a step, as it was measured on this machine; for kinds that the store does not know."""
 
     def seconds(self, case_id: str) -> float:
         """Run time of a case on one core: measured if it is done, else predicted [s]."""
         if case_id in self.entries:
             return self.entries[case_id].seconds
         case = self.plan.cases[case_id]
+        return estimate_seconds(case) * self._factor(case.kind)
+
+    def _factor(self, kind: str) -> float:
+        """Measured over predicted run time of a kind, as far as it is known; of all kinds, or 1, where it is not."""
         overall = statistics.median(self.factors.values()) if self.factors else 1.0
-        return estimate_seconds(case) * self.factors.get(case.kind, overall)
+        return self.factors.get(kind, self.machine.get(kind.split("_")[0], overall))
 
     @property
     def counts(self) -> dict[str, int]:
@@ -149,9 +156,9 @@ def survey(plan: Plan, store: Store) -> Survey:
         short = entry.status == "done" and plan.snapshots[case_id] > 0
         states[case_id] = "missing" if short and store.snapshots(key) < plan.snapshots[case_id] else entry.status
         if entry.status == "done":
-            ratios.setdefault(case.kind, []).append(entry.seconds / entry.expected)
+            ratios.setdefault(case.kind, []).append(entry.seconds / estimate_seconds(case))
     factors = {kind: statistics.median(found) for kind, found in ratios.items()}
-    return Survey(plan, entries, states, factors)
+    return Survey(plan, entries, states, factors, machine.factors())
 
 
 def _groups(jobs: Iterable[Job], room: float) -> Iterable[list[Job]]:

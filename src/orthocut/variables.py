@@ -51,6 +51,7 @@ VARIABLES: dict[str, Variable] = {
     "failure": Variable("", "1", "why the run failed"),
     "component": Variable("", "1", "component of the deformation gradient"),
     "wall_time": Variable("", "s", "run time"),
+    "steps_taken": Variable("", "1", "time steps that the run took"),
     "clearance_angle": Variable(r"\theta", "rad", "clearance angle", *_DEG),
     "travel": Variable("s", "m", "travel of the tool", *_MM),
     "travel_ratio": Variable("s/h", "1", "travel of the tool over depth of cut"),

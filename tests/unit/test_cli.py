@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 
 from orthocut import run as run_module
 from orthocut.cli import app
+from orthocut.io import machine
 from orthocut.io.collect import collect
 from orthocut.io.datasets import build, failed
 from orthocut.io.netcdf import read, write
@@ -281,15 +282,17 @@ def test_study_list(simulated, tmp_path):
 
 
 @pytest.mark.parametrize(("method", "name"), [("mpm", "ns_per_point_step"), ("dem", "ns_per_bond_step")])
-def test_bench_prints_one_object(monkeypatch, method, name):
+def test_bench_prints_one_object_and_is_remembered(monkeypatch, tmp_path, method, name):
     import sys
     import types
 
     module = types.ModuleType(f"orthocut.experiments.speed_{method}")
-    setattr(module, f"bench_{method}", lambda: {name: 30.0, "repeats": 3})
+    setattr(module, f"bench_{method}", lambda: {name: 30.0, "over_cost_model": 1.5, "repeats": 3})
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setitem(sys.modules, module.__name__, module)
     assert json.loads(call("bench", method, "--json").stdout)[name] == 30.0
     assert name in call("bench", method).stdout
+    assert machine.factors() == {method: 1.5}
 
 
 def test_redraw_draws_collected_datasets(tmp_path):

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from orthocut.cli.common import Json, guarded, print_json
+from orthocut.io import machine
 from orthocut.params.block import ConfigError
 
 EXAMPLES = """Example:
@@ -21,11 +22,15 @@ METHODS = ("mpm", "dem")
 def bench(
     method: Annotated[str, typer.Argument(metavar="mpm|dem", help="Method to measure.")], as_json: Json = False
 ) -> None:
-    """Measure the cost of a step: ns_per_point_step (mpm) or ns_per_bond_step (dem)."""
+    """Measure the cost of a step: ns_per_point_step (mpm) or ns_per_bond_step (dem).
+
+    What it is over the cost model is kept for this machine, and predicted run times follow it.
+    """
     if method not in METHODS:
         raise ConfigError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
     module = importlib.import_module(f"orthocut.experiments.speed_{method}")
     numbers = getattr(module, f"bench_{method}")()
+    machine.remember(method, numbers["over_cost_model"])
     if as_json:
         print_json(numbers)
         return

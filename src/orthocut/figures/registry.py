@@ -33,6 +33,8 @@ FIGURES = {
     "nairn2015_regimes": "nairn2015_regimes",
     "nairn2015_transition": "nairn2015_transition",
     "nairn2015_convergence": "nairn2015_convergence",
+    "nairn2015_precision": "nairn2015_precision",
+    "nairn2015_accuracy": "nairn2015_accuracy",
     "nairn2015_touching": "nairn2015_touching",
     "nairn2015_robustness": "nairn2015_robustness",
     "nairn2015_claims": "nairn2015_claims",
@@ -60,6 +62,7 @@ FIGURES = {
     "yang2018_damage": "yang2018_damage",
     "yang2018_convergence": "yang2018_convergence",
     "yang2018_causes": "yang2018_causes",
+    "yang2018_precision": "yang2018_precision",
     "yang2018_claims": "yang2018_claims",
     "show": "show",
 }

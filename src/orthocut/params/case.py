@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from orthocut.params import accuracy
 from orthocut.params.block import Block, ConfigError, describe, hint, shorten, show
 from orthocut.params.dem import DemBrazilian, DemCompression, DemCutting, DemTension
 from orthocut.params.limits import faults
@@ -20,6 +21,8 @@ KINDS: dict[str, type[Block]] = {
     for model in (MpmCutting, DemCutting, DemTension, DemCompression, DemBrazilian)
 }
 ALIASES = {"mpm": "mpm_cutting", "dem": "dem_cutting"}
+BESIDE = frozenset({"workpiece"})
+"""Blocks of which a preset sets some fields and a case may set others."""
 Case = MpmCutting | DemCutting | DemTension | DemCompression | DemBrazilian
 
 
@@ -46,6 +49,8 @@ def resolve(kind: str, name: str, source: str) -> tuple[str, ...]:
     ConfigError
         If no field or several fields match.
     """
+    if kind == accuracy.KIND and name in accuracy.WISHES:
+        return (name,)
     matches = _matches(kind, name)
     if len(matches) == 1:
         return tuple(matches[0].split("."))
@@ -98,7 +103,7 @@ def case_kind(data: Mapping[str, Any], source: str) -> str:
 
 
 def validate(data: Mapping[str, Any], source: str = "case") -> Case:
-    """Check raw data and return the case.
+    """Check raw data and return the case; a preset or a tolerance in it becomes ordinary fields.
 
     Raises
     ------
@@ -107,6 +112,10 @@ def validate(data: Mapping[str, Any], source: str = "case") -> Case:
     """
     kind = case_kind(data, source)
     _check_names(data, source)
+    wish = accuracy.wishes(data)
+    if wish:
+        rest = {name: value for name, value in data.items() if name not in wish}
+        return validate(_granted(kind, rest, wish, source), source)
     try:
         case = KINDS[kind].model_validate(_merge(_defaults(kind), {**data, "kind": kind}))
     except ValidationError as error:
@@ -115,6 +124,25 @@ def validate(data: Mapping[str, Any], source: str = "case") -> Case:
     if found:
         raise ConfigError("\n".join(f"{source}: {fault}" for fault in found))
     return case
+
+
+def _granted(kind: str, data: Mapping[str, Any], wish: Mapping[str, Any], source: str) -> dict[str, Any]:
+    """Raw data with the fields that a preset or a tolerance stands for."""
+    said = " and ".join(f"{name} = {show(value)}" for name, value in wish.items())
+    if kind != accuracy.KIND:
+        raise ConfigError(f"{source}: {said}: {kind} has none (allowed: in cases of {accuracy.KIND})")
+    chosen = accuracy.choose(validate(data, source), wish, source).fields()
+    twice = sorted(
+        name for name in chosen if name in data and not (name in BESIDE and _apart(chosen[name], data[name]))
+    )
+    if twice:
+        raise ConfigError(f"{source}: {said}: also sets {', '.join(twice)} (allowed: leave these out)")
+    return _merge(chosen, data)
+
+
+def _apart(chosen: Mapping[str, Any], given: Any) -> bool:
+    """Whether two sets of fields have none in common."""
+    return isinstance(given, Mapping) and not set(chosen) & set(given)
 
 
 def _check_names(data: Mapping[Any, Any], source: str, depth: int = 1) -> None:

@@ -16,10 +16,24 @@ from orthocut.params.block import Block
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 _NUMBERS = ("kernels", "mpm", "dem", "experiments", "measure", "params")
-_PICTURES = ("figures", "theory", "params", "variables.py")
+_PICTURES = ("figures", "theory", "params", "cost.py", "variables.py")
+_PROMISES = ("params/accuracy.py", "params/accuracy.yaml", "params/size.py")  # drawn, though input only
 _DATASETS = ("io", "variables.py")
 _INPUT_ONLY = (
-    *("__init__", "block", "case", "identity", "limits", "quantity", "schema", "size", "study", "text", "units"),
+    *(
+        "__init__",
+        "accuracy",
+        "block",
+        "case",
+        "identity",
+        "limits",
+        "quantity",
+        "schema",
+        "size",
+        "study",
+        "text",
+        "units",
+    ),
     "workflow",
 )
 _LIBRARIES = ("numpy", "numba", "llvmlite", "scipy")
@@ -87,7 +101,7 @@ def digest_datasets() -> str:
 @cache
 def digest_pictures() -> str:
     """Digest of the sources that only change figures and tables."""
-    return _digest(_files(_PICTURES), version("matplotlib"))
+    return _digest((*_files(_PICTURES), *(_PACKAGE / name for name in _PROMISES)), version("matplotlib"))
 
 
 @cache

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from orthocut.params import accuracy
 from orthocut.params.block import Block
 from orthocut.params.case import KINDS, block_of
 from orthocut.params.quantity import Number, Quantity
@@ -20,6 +21,8 @@ _HEADER = """\
 # All fields of all kinds of cases, with their defaults. Generated from src/orthocut/params; do not edit:
 #     python -m orthocut.params.schema workflow/config
 # A study or a case file gives only what differs; quantities carry units, ratios and coefficients are plain numbers.
+# Ductile cuts may also hold `preset` (PRESETS) or `tolerance` (such as 10 %), which
+# stand for fields of the method: src/orthocut/params/accuracy.yaml says which, and what they promise.
 """
 
 
@@ -32,10 +35,20 @@ def study_schema() -> dict[str, Any]:
         schema["$defs"].update(body.pop("$defs", {}))
         body["required"] = ["kind"]
         schema["$defs"][kind] = body
+    schema["$defs"][accuracy.KIND]["properties"] |= _wishes()
     _partial(schema["$defs"])
     _defaults(schema["$defs"])
     schema["$defs"]["Sweep"]["properties"]["base"] = {"oneOf": [{"$ref": f"#/$defs/{kind}"} for kind in KINDS]}
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+
+
+def _wishes() -> dict[str, Any]:
+    """Schema of what a ductile cut may hold in place of fields."""
+    share = [{"type": "string", "pattern": "%"}, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1}]
+    return {
+        "preset": {"enum": list(accuracy.presets()), "description": "Numerical settings by name, in place of fields."},
+        "tolerance": {"anyOf": share, "description": "Error of the force; the cheapest settings that promise it."},
+    }
 
 
 def _partial(definitions: dict[str, Any]) -> None:
@@ -84,7 +97,8 @@ def shown(block: Block) -> dict[str, Any]:
 
 def default_yaml() -> str:
     """Return the defaults of all kinds, with the meaning and the range of every field as comments."""
-    return _HEADER + "".join(f"\n{line}" for kind in KINDS.values() for line in _lines(kind(), "")) + "\n"
+    header = _HEADER.replace("PRESETS", ", ".join(accuracy.presets()))
+    return header + "".join(f"\n{line}" for kind in KINDS.values() for line in _lines(kind(), "")) + "\n"
 
 
 def _lines(block: Block, indent: str) -> Iterator[str]:

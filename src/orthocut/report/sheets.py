@@ -8,6 +8,7 @@ from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from orthocut.cost import estimate_seconds
 from orthocut.io.store import Store
 from orthocut.params.identity import result_key
 from orthocut.survey import Survey
@@ -75,7 +76,8 @@ def run_time_sheet(found: Survey) -> Sheet:
         mine = {case_id for case_id, case in found.plan.cases.items() if case.kind == kind}
         there = [found.entries[case_id] for case_id in mine if case_id in found.entries]
         left = [case_id for case_id in found.missing if case_id in mine]
-        measured, expected = sum(entry.seconds for entry in there), sum(entry.expected for entry in there)
+        measured = sum(entry.seconds for entry in there)
+        expected = sum(estimate_seconds(found.plan.cases[case_id]) for case_id in mine if case_id in found.entries)
         ahead = sum(found.seconds(case_id) for case_id in left)
         times = (f"{seconds / 60:.1f}" for seconds in (measured, expected, ahead))
         rows.append([kind, str(len(there)), *(next(times) for _ in range(2)), str(len(left)), next(times)])

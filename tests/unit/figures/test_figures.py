@@ -30,6 +30,7 @@ UNITLESS = {
 
 
 GROOVED = {"grooves": {}}
+COMMON = {"error_target": 0.01}
 
 
 def glass(depth, change, seed):
@@ -58,6 +59,21 @@ def runs_for(name):
             mpm_run(snapshots=0, force=5e3 + 9e3 / points, points_per_depth=points, **{field: value})
             for points in (4, 6, 9)
             for field, value in (("affine", 0), ("affine", 0.9), ("courant", 0.2), ("cut_speed", "2 m/s"))
+        ]
+    if name == "nairn2015_precision":
+        changes = ({}, {"courant": 0.9}, {"cut_speed": "20 m/s"}, {"affine": 0})
+        runs = [
+            mpm_run(snapshots=0, force=5e3 + 9e3 / points, modulus_tangent=tangent, points_per_depth=points, **change)
+            for tangent in ("0 MPa", "100 MPa")
+            for points in (4, 6, 9)
+            for change in changes
+        ]
+        return [registry.condense(name)(run.assign_attrs(steps=20_000)) for run in runs]
+    if name == "nairn2015_accuracy":
+        return [
+            mpm_run(snapshots=0, force=5e3 + 9e3 / points, cut_depth=f"{depth} mm", points_per_depth=points, **COMMON)
+            for depth in (0.5, 0.9, 2)
+            for points in (5, 8, *((12, 16) if depth == 0.9 else ()))
         ]
     if name == "nairn2015_touching":
         return [
@@ -88,14 +104,14 @@ def runs_for(name):
             for joint in joints
             for seed in (1, 2)
         ]
-    if name in ("yang2018_convergence", "yang2018_causes", "yang2018_claims", "yang2018_table4"):
+    if name in ("yang2018_convergence", "yang2018_causes", "yang2018_precision", "yang2018_claims", "yang2018_table4"):
         changes = ({}, {"cut_speed": "0.5 m/s"}, {"joint.damping": 0.3}, {"joint.time_step_factor": 0.25})
         cuts = [glass(depth, surface, seed) for depth in (0.1, 0.2) for surface in ({}, GROOVED) for seed in (1, 2, 3)]
         cuts += [glass(0.1, change, seed) for change in changes[1:] for seed in (1, 2)]
         cuts += [glass(0.2, {"grooves": {"bottom_ratio": 0.5}}, seed) for seed in (1, 2)]
         tests = [dem_test_run(kind, cracks=3, **BIG) for kind in ("dem_tension", "dem_compression")]
-        short = registry.condense(name)
-        return [short(cut) if short else cut for cut in cuts] + tests
+        condense = registry.condense(name)
+        return [condense(cut) if condense else cut for cut in cuts] + tests
     if name in ("yang2018_fig05", "yang2018_fig06", "yang2018_fig07"):
         return [dem_test_run("dem_tension", **BIG), dem_test_run("dem_tension", cracks=9, **BIG, **{"packing.seed": 2})]
     if name == "nairn2015_fig07":
