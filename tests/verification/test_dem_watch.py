@@ -5,6 +5,7 @@ import pytest
 
 from orthocut.dem.setup import build, wall
 from orthocut.experiments.dem_run import closure
+from orthocut.kernels.dem.layout import TIP_X
 from orthocut.measure.dem_energy import Energies, energies
 from orthocut.measure.dem_watch import OVERLAP_LIMIT, overlap, watch
 from orthocut.measure.guard import Diverged
@@ -34,6 +35,19 @@ def test_overlap_with_a_wall_counts():
     scene.walls.start[:] = [0, 2]
     scene.walls.disc[:2] = [0, 1]
     assert overlap(scene) == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize("half_angle", [0.1, 0.7])
+def test_disc_that_touches_the_tip_of_a_thin_wedge_is_not_in_it(half_angle):
+    """Both faces reach into the disc where they are longer than the tool; its tip does not."""
+    sine, cosine = np.sin(half_angle), np.cos(half_angle)
+    wedge = wall((3.0 * R, 0.0), ((-sine, cosine), (-sine, -cosine)), (0.0, 0.0), 0.0, 107e9)
+    scene = pair(2.0, [wedge])
+    scene.walls.start[:] = [0, 1]
+    scene.walls.disc[0] = 1
+    assert overlap(scene) == pytest.approx(0.0, abs=1e-12)
+    scene.walls.rows[0, TIP_X] = 2.8 * R
+    assert overlap(scene) == pytest.approx(0.2)
 
 
 def test_discs_pressed_into_each_other_stop_the_run():

@@ -33,7 +33,10 @@ def overlap(scene: Scene) -> float:
     for w, row in enumerate(walls.rows):
         near = walls.disc[walls.start[w] : walls.start[w + 1]]
         away = places[near] - row[[TIP_X, TIP_Y]]
-        distance = np.maximum(away @ row[[FIRST_X, FIRST_Y]], away @ row[[SECOND_X, SECOND_Y]])
+        one, other = row[[FIRST_X, FIRST_Y]], row[[SECOND_X, SECOND_Y]]
+        first, second, cosine = away @ one, away @ other, one @ other
+        at_tip = (cosine < 1 - 1e-12) & (cosine * first < second) & (cosine * second < first)
+        distance = np.where(at_tip, np.hypot(away[:, 0], away[:, 1]), np.maximum(first, second))
         largest = max(largest, float((1 - distance / radius[near]).max(initial=0.0)))
     return largest
 
