@@ -44,7 +44,8 @@ def main() -> None:
     try:
         run_scenes(waiting, rows, files, options.workers, options.limit)
     finally:
-        write_summary({solver: list(found.values()) for solver, found in rows.items()}, options.output)
+        everything = {solver: read_rows(options.output / f"stress_{solver}.csv") for solver in RANGES} | rows
+        write_summary({solver: list(found.values()) for solver, found in everything.items()}, options.output)
     bad = [row for of_solver in rows.values() for row in of_solver.values() if row["outcome"] in (LIE, CRASHED, LATE)]
     raise SystemExit(bool(bad))
 
