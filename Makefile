@@ -16,7 +16,7 @@ SHELL := bash
 PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
 	/^Installing collected/ {print "  unpacking"; fflush()} /^ *(ERROR|error)/ {print; fflush()}'
 
-.PHONY: help calibrate figures figures-paper publish-paper import publish dry-run report test lint format config clean benchmark benchmark-accuracy benchmark-peers benchmark-workflow
+.PHONY: help calibrate figures figures-paper publish-paper import publish dry-run report test lint format config clean benchmark benchmark-accuracy benchmark-peers benchmark-stress benchmark-workflow
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
@@ -113,6 +113,9 @@ benchmark-accuracy: $(STAMP) ## compare run times with the cost model, and error
 	@$(BIN)/python benchmarks/cost_model.py
 	@$(BIN)/python benchmarks/cost_store.py
 	@$(BIN)/python benchmarks/accuracy.py
+
+benchmark-stress: $(STAMP) ## run 1,024 random scenes of each solver over all ranges and beyond; goes on where it ended
+	@$(BIN)/python benchmarks/stress.py
 
 benchmark-workflow: $(STAMP) ## measure what the workflow costs beside the simulations, and run the fault matrix
 	@$(BIN)/python benchmarks/workflow.py

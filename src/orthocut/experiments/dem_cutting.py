@@ -28,6 +28,8 @@ from orthocut.measure.dem_contact import reduce, touching
 from orthocut.measure.dem_cracks import count_cracks, cracks
 from orthocut.measure.dem_damage import damage
 from orthocut.measure.dem_energy import Energies, energies, forces
+from orthocut.measure.dem_watch import watch
+from orthocut.measure.guard import Diverged
 from orthocut.params.dem import DemCutting
 
 SAMPLES = 500
@@ -117,6 +119,11 @@ def simulate(
         Where the run goes on from, and leaves its state now and then.
     snapshots : int
         Snapshots to take, evenly spaced: the first before the cut, the last at its end.
+
+    Raises
+    ------
+    Diverged
+        If a disc gets too fast, energy does not balance, discs overlap too far or the tool meets none.
     """
     discs = packed_discs(case.packing, checkpoint)
     scene = make_scene(case, discs)
@@ -134,6 +141,7 @@ def simulate(
         advancing += time.thread_time() - resumed
         tip = float(scene.walls.rows[0, TIP_X])
         balance = energies(scene)
+        watch(scene, balance, start)
         samples.append(Sample(scene.time, tip_start - tip, tip, *read_tool(scene, ran), *count_cracks(scene), balance))
         if (k + 1) * (snapshots - 1) // SAMPLES == len(shots):
             shots.append(_shoot(scene))
@@ -141,6 +149,11 @@ def simulate(
         if checkpoint:
             checkpoint.offer(partial(_state, scene, Progressed(samples, shots, advancing)))
 
+    if not scene.walls.rows[0, [WALL_PEAK_X, WALL_PEAK_Y]].any():
+        raise Diverged(
+            f"the tool meets no disc in all its travel of {case.travel * 1e3:.4g} mm; try a larger travel or a smaller "
+            f"tool.rake_angle than {math.degrees(case.tool.rake_angle):.4g} deg"
+        )
     loose = _chips(scene, whole)
     data = _data(case, discs, scene, samples, start) | _chip_data(loose)
     if snapshots:

@@ -46,8 +46,9 @@ def energy_data(history: list[Energies], start: Energies) -> dict[str, np.ndarra
 
 
 def closure(last: Energies, start: Energies) -> float:
-    """Energy not accounted for over the work done and the energy at the start."""
-    return (start.total - last.total) / (abs(last.work_tool) + abs(start.energy_kinetic))
+    """Energy not accounted for over the work done and the energy at the start; zero where a tool met nothing."""
+    scale = abs(last.work_tool) + abs(start.energy_kinetic)
+    return (start.total - last.total) / scale if scale else 0.0
 
 
 def packing_data(packed: PackedDiscs, scene: Scene) -> dict[str, tuple[tuple[str, ...], Any]]:

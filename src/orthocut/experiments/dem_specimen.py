@@ -17,6 +17,7 @@ from orthocut.io.checkpoint import Checkpoint, packed, unpacked
 from orthocut.io.datasets import build as build_dataset
 from orthocut.measure.dem_cracks import count_cracks
 from orthocut.measure.dem_energy import Energies, energies, forces
+from orthocut.measure.dem_watch import watch
 from orthocut.measure.specimen import elastic_constants, strains, stress_axial
 from orthocut.params.dem import DemBrazilian, DemCompression, DemTension
 
@@ -92,6 +93,7 @@ def load_specimen(
     progress: Progress,
     checkpoint: Checkpoint | None,
     section: float,
+    start: Energies,
 ) -> tuple[Loading, np.ndarray]:
     """Load until the stress has dropped to the stated fraction of its peak, or to the largest strain.
 
@@ -105,6 +107,8 @@ def load_specimen(
         Where the run goes on from, and leaves its state now and then.
     section : float
         What forces are divided by to give stresses, for unit width [m].
+    start : Energies
+        Energy balance before the first step.
 
     Returns
     -------
@@ -136,6 +140,7 @@ def load_specimen(
             *count_cracks(scene),
             energies(scene, found.energy),
         )
+        watch(scene, sample.energies, start)
         loading.add(sample, sign)
         progress(min(loading.strain / case.strain_max, 1.0))
         cracked = sample.cracks_tension + sample.cracks_shear > 0
@@ -176,7 +181,8 @@ def specimen_dataset(
     initial, joined = scene.places.copy(), forces(scene).intact
     proceed(scene, 0)
     start = energies(scene)
-    done, intact = load_specimen(case, scene, sign, grip_force, progress, checkpoint, section or case.packing.width)
+    section = section or case.packing.width
+    done, intact = load_specimen(case, scene, sign, grip_force, progress, checkpoint, section, start)
     samples = done.samples
     column = {name: np.array([getattr(s, name) for s in samples], dtype=float) for name in Sample._fields[:-1]}
     loading = sign * column["stress_axial"]

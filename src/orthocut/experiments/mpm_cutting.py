@@ -28,6 +28,13 @@ CLOSURE_LIMIT = 0.05
 """Share of the tool's work that may remain unaccounted for after a travel of one depth of cut; the run stops beyond."""
 GAIN_LIMIT = 0.05
 """Share of the tool's work that transfers and contact may make, after the same travel; the run stops beyond."""
+MOMENTUM_LIMIT = 0.05
+"""Share of the tool's mean impulse on an output interval by which the momentum of the points may change without a
+force on them; the run stops beyond. Ordinary cuts keep to 1e-5."""
+WEIGHED = 50
+"""Output intervals from one in which momentum is watched to the next; a look costs a twentieth of an interval."""
+ROUNDING = 1e-9
+"""Share of the momentum of the whole workpiece at the speed of the tool that is taken for rounding."""
 TOUCHING_CELLS = 1.5
 """Mean distance from tool tip to crack tip below which the tool touches, in cells; contact reaches 1.25 cells ahead."""
 
@@ -76,7 +83,8 @@ def simulate(
     Raises
     ------
     Diverged
-        If energies stop being finite or do not balance, if a point leaves the grid or the chip sinks into the base.
+        If energies stop being finite or do not balance, if momentum does not, if a point leaves the grid or the chip
+        sinks into the base.
     """
     state = setup.build(case)
     start_x = state.field(layout.X)
@@ -89,9 +97,13 @@ def simulate(
     for sample in range(1 + len(histories.get("time", ())), SAMPLES + 1):
         before = state.totals.copy()
         steps = ends[sample] - ends[sample - 1]
+        weighed = sample % WEIGHED == 0 and before[step.TIME] > state.wedge.ramp_time and not case.numerics.flip
+        kept = solver.momentum_open if weighed else None
         solver.advance(steps)
         record = _sample(solver, before, steps * frame.time_step, face)
         _check(solver, record, case)
+        if kept is not None:
+            _check_momentum(solver, kept, record, steps * frame.time_step, case)
         for name, value in record.items():
             histories.setdefault(name, []).append(value)
         if sample in wanted:
@@ -200,6 +212,24 @@ def _check(solver: Solver, record: dict[str, float], case: MpmCutting) -> None:
     taken = (record["energy_numerical"] + record["energy_contact"]) / record["work_tool"]
     if record["tool_travel"] > case.cut_depth and taken < -GAIN_LIMIT:
         raise Diverged(f"transfers and contact make {-taken:.0%} of the tool's work {when}; {finer}")
+
+
+def _check_momentum(
+    solver: Solver, before: np.ndarray, record: dict[str, float], interval: float, case: MpmCutting
+) -> None:
+    """Stop a run whose points gain or lose momentum in an output interval without a force of tool or clamp.
+
+    Before the end of the ramp damping takes some; with FLIP the clamp's reaction is not that of the points.
+    """
+    mass = float(solver.state.field(layout.MASS).sum())
+    lost = float(np.abs(solver.momentum_open - before).max())
+    mean = record["work_tool"] / record["tool_travel"] * interval
+    if not lost <= MOMENTUM_LIMIT * abs(mean) + ROUNDING * mass * case.cut_speed:
+        raise Diverged(
+            f"momentum changes without a force, by {lost / abs(mean):.0%} of the tool's impulse, at a travel of "
+            f"{record['tool_travel'] / case.cut_depth:.2f} depths of cut; try a smaller numerics.courant than "
+            f"{case.numerics.courant:g}"
+        )
 
 
 def _results(case: MpmCutting, solver: Solver, arrays: dict[str, np.ndarray], start_x: np.ndarray) -> dict[str, float]:

@@ -154,6 +154,15 @@ class Solver:
         return np.array([points.sum_energies(body, state.solid) for body in bodies])
 
     @property
+    def momentum_open(self) -> np.ndarray:
+        """Momentum of the points less the impulses of tool and clamp, x and y [N s/m]; only damping changes it."""
+        state, totals = self.state, self.state.totals
+        mass = state.field(layout.MASS)
+        held = np.array([mass @ state.field(layout.VX), mass @ state.field(layout.VY)])
+        tool = totals[[step.CHIP_X, step.CHIP_Y]] + totals[[step.BASE_X, step.BASE_Y]]
+        return held - tool - totals[[step.CLAMP_X, step.CLAMP_Y]]
+
+    @property
     def crack_tip(self) -> float:
         """Place of the broken pair farthest ahead [m]."""
         return float(interface.crack_tip_of(self.state.interface))
