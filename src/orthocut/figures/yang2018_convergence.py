@@ -127,7 +127,7 @@ def _names(groups: Sequence[dict[float, list[GlassRun]]], field: str) -> list[st
 
 
 def _name(ax: Axes, group: dict[float, list[GlassRun]], field: str, name: str) -> None:
-    """Write the name of a series over its last main force."""
+    """Write the name of a series over its largest value's main force."""
     value, runs = max(group.items())
     top = interval(forces(runs, FORCES[0]))
     place = value * VARIABLES[field].scale, top.mean + (top.half if math.isfinite(top.half) else 0.0)

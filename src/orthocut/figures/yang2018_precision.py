@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from orthocut.cost import estimate_seconds
 from orthocut.figures.canvas import PAGE, nothing, page, styled
-from orthocut.figures.confidence import interval, quantile
+from orthocut.figures.confidence import Interval, interval, quantile
 from orthocut.figures.extrapolation import extrapolate
 from orthocut.figures.palette import AMBER, BLUE, GREY, ORANGE, PURPLE
 from orthocut.figures.precision import Reference, Setting, draw_settings, handles
@@ -28,12 +28,12 @@ CAPTION = (
     "Error of a mean over packings against the run time of all of them on one core. Error: root of the squares of the "
     "deviation of the mean of all packings from the reference and of the half-width of the 95 % confidence interval "
     "that so many packings have, by the spread of those that were run. Reference: the mean force at zero speed of the "
-    "tool, by a weighted straight fit over all speeds, or that at the only speed there is; shaded up to the half- "
-    "width of its own interval: what lies below cannot be told apart from no deviation. Each symbol differs from the "
-    "cuts of that fit in what the legend names, a line is one setting with 1, 2, 4, 8, 16 and 32 packings; beside its "
-    "end stand the speed of the tool and what else is set. Bars: half-widths of setting and reference. Line: settings "
-    "than which no cheaper one has a smaller error. Size of the discs is no setting of the method alone: the strength "
-    "of the block changes with it."
+    "tool, by a straight fit over all speeds, weighted by packings, or that at the only speed there is; shaded up to "
+    "the half-width of its own interval: what lies below cannot be told apart from no deviation. Each symbol differs "
+    "from the cuts of that fit in what the legend names, a line is one setting with 1, 2, 4, 8, 16 and 32 packings; "
+    "beside its end stand the speed of the tool and what else is set. Bars: half-widths of setting and reference. "
+    "Line: settings than which no cheaper one has a smaller error. Size of the discs is no setting of the method "
+    "alone: the strength of the block changes with it; nor is damping: the force at zero speed may change with it."
 )
 DIMS = ()
 FIELDS = {
@@ -102,9 +102,16 @@ class Scene:
         if len(known) == 1:
             return Reference(known[0].mean, known[0].half)
         speeds = [ensemble.runs[0].case.cut_speed for ensemble in self.usual]
-        errors = [one.spread / math.sqrt(one.count) for one in known]
+        spread = _pooled(known)
+        errors = [spread / math.sqrt(one.count) for one in known]
         fit = extrapolate(speeds, [one.mean for one in known], errors)
         return Reference(fit.limit, quantile(sum(one.count - 1 for one in known)) * fit.error)
+
+
+def _pooled(known: Sequence[Interval]) -> float:
+    """Standard deviation of single cuts, the same at all speeds: a few cuts do not tell their own."""
+    freedom = [one.count - 1 for one in known]
+    return math.sqrt(sum(f * one.spread**2 for f, one in zip(freedom, known, strict=True)) / sum(freedom))
 
 
 def scenes_of(dataset: xr.Dataset) -> list[Scene]:
