@@ -50,7 +50,7 @@ def test_every_kind_has_a_smallest_case_and_a_cost():
 def test_cost_grows_as_the_work_does():
     start = 0.1
     coarse, fine = (estimate_seconds(load("mpm", {"points_per_depth": n})) - start for n in (8, 16))
-    assert 7.5 < fine / coarse < 8  # a step has a cost beside that of its points
+    assert 7 < fine / coarse < 8  # a step has a cost beside that of its points
     coarse, fine = (estimate_seconds(load("dem", {"radius_min": f"{r} um"})) - start for r in (20, 10))
     assert fine / coarse == pytest.approx(8, rel=1e-3)
 

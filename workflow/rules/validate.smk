@@ -23,10 +23,10 @@ rule benchmark:
         f"{RESULTS}/benchmarks/{{name}}.csv",
     log:
         f"{RESULTS}/logs/benchmarks/{{name}}.log",
-    conda:
-        "../envs/orthocut.yaml"
     wildcard_constraints:
         name="|".join(BENCHMARKS),
+    conda:
+        "../envs/orthocut.yaml"
     threads: OPTIONS.batch_cores
     params:
         python=sys.executable,
