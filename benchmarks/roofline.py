@@ -121,7 +121,7 @@ def draw(peak: float, levels: dict[str, float], costs: dict[str, float]):
     for shade, (name, speed) in zip((0.2, 0.4, 0.55, 0.7), levels.items(), strict=True):
         roof = np.minimum(peak, speed * intensity)
         ax.plot(intensity, 1e-9 * roof, color=str(shade), lw=0.8)
-        ax.text(0.035, 1.1e-9 * speed * 0.035, name, color=str(shade), fontsize=5, rotation=38, va="bottom")
+        ax.text(0.035, 1.5e-9 * speed * 0.035, name, color=str(shade), fontsize=5, rotation=38, va="bottom")
     ax.text(100, 1.1e-9 * peak, "product of matrices", ha="right", fontsize=5)
     for (name, kernel), colour in zip(KERNELS.items(), (BLUE, ORANGE), strict=True):
         ax.plot(
