@@ -167,3 +167,18 @@ def test_momentum_from_nowhere_stops_a_cut(monkeypatch):
     monkeypatch.setattr(mpm_cutting, "GAIN_LIMIT", np.inf)
     with pytest.raises(Diverged, match="momentum changes without a force"):
         run_case(case)
+
+
+@pytest.mark.parametrize("flip", [0.0, 0.5, 0.9])
+def test_momentum_of_the_paper_loop_changes_by_forces_alone_whatever_flip_keeps(flip):
+    """Points keep a share of the momentum of clamped nodes, which the clamp has then not taken."""
+    theirs = {"scheme": "usavg", "affine": 0.0, "support": 0.0, "reach_ratio": 0.0, "flip": flip}
+    case = load("mpm", {**theirs, "points_per_depth": 4, "travel_ratio": 4.0, "window_ratio": 2.0})
+    state = setup.build(case)
+    solver = Solver(state)
+    solver.advance(case.steps // 2)
+    before, pushed = solver.momentum_open, state.totals[[step.CHIP_X, step.BASE_X]].sum()
+    solver.advance(400)
+    impulse = abs(state.totals[[step.CHIP_X, step.BASE_X]].sum() - pushed)
+    assert impulse > 0
+    assert np.abs(solver.momentum_open - before).max() < 1e-5 * impulse

@@ -97,7 +97,7 @@ def simulate(
     for sample in range(1 + len(histories.get("time", ())), SAMPLES + 1):
         before = state.totals.copy()
         steps = ends[sample] - ends[sample - 1]
-        weighed = sample % WEIGHED == 0 and before[step.TIME] > state.wedge.ramp_time and not case.numerics.flip
+        weighed = sample % WEIGHED == 0 and before[step.TIME] > state.wedge.ramp_time
         kept = solver.momentum_open if weighed else None
         solver.advance(steps)
         record = _sample(solver, before, steps * frame.time_step, face)
@@ -219,7 +219,7 @@ def _check_momentum(
 ) -> None:
     """Stop a run whose points gain or lose momentum in an output interval without a force of tool or clamp.
 
-    Before the end of the ramp damping takes some; with FLIP the clamp's reaction is not that of the points.
+    Before the end of the ramp damping takes some.
     """
     mass = float(solver.state.field(layout.MASS).sum())
     lost = float(np.abs(solver.momentum_open - before).max())

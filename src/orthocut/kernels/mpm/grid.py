@@ -21,7 +21,7 @@ def moving_mass(grid, at):
 
 
 @part
-def update_grid(grid, extent, frame, free, damping):
+def update_grid(grid, extent, frame, free, damping, kept=0.0):
     """New velocities of the nodes from momentum, force and damping; held nodes stand still.
 
     Parameters
@@ -38,6 +38,8 @@ def update_grid(grid, extent, frame, free, damping):
         directions, or on dashpots.
     damping : float
         Feedback damping rate [1/s].
+    kept : float
+        Share of the momentum of held nodes that their points keep: that of FLIP.
 
     Returns
     -------
@@ -75,8 +77,8 @@ def update_grid(grid, extent, frame, free, damping):
                 damped -= 0.5 * (push_x * (vx + new_vx) + push_y * (vy + new_vy))
                 continue
             if clamped or resting:
-                impulse_x -= px + time_step * fx
-                impulse_y -= py + time_step * fy
+                impulse_x -= (1.0 - kept) * px + time_step * fx
+                impulse_y -= (1.0 - kept) * py + time_step * fy
                 grid[at + NVX] = 0.0
                 grid[at + NVY] = 0.0
                 continue

@@ -138,7 +138,7 @@ def run_steps_usavg(
             copy_loads(grids[body, FIRST], grid, extents[body, 0], frame)
             load_points(points, blocks[body], grids[body, FIRST], grid, space.lanes, solid, frame)
             before, damped, clamp_x, clamp_y = update_grid(
-                grid, extents[body, 0], frame, free[body], totals[DAMPING] if ramping else 0.0
+                grid, extents[body, 0], frame, free[body], totals[DAMPING] if ramping else 0.0, usavg.flip
             )
             kinetic_old += before
             work -= damped
