@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import csv
 import statistics
 import tempfile
 import time
 from pathlib import Path
 
-from rich.console import Console
-from rich.table import Table
+from tables import write_table
 
 from orthocut.io.checkpoint import INTERVAL, Checkpoint
 from orthocut.params.case import load
@@ -66,16 +64,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--output", type=Path, default=Path("results/benchmarks/checkpoints.csv"))
     options = parser.parse_args()
-    rows = [[cell if not isinstance(cell, float) else f"{cell:.3g}" for cell in measure(kind)] for kind in CASES]
-    options.output.parent.mkdir(parents=True, exist_ok=True)
-    table = Table(*HEADER)
-    with open(options.output, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(HEADER)
-        for row in rows:
-            writer.writerow(row)
-            table.add_row(*map(str, row))
-    Console().print(table)
+    write_table(HEADER, map(measure, CASES), options.output)
 
 
 if __name__ == "__main__":

@@ -7,15 +7,13 @@ the state that a step reads and writes once, without the grid or the discs, whic
 from __future__ import annotations
 
 import argparse
-import csv
 import statistics
 import time
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from rich.console import Console
-from rich.table import Table
+from tables import write_table
 
 from orthocut.experiments.speed_dem import bench_dem
 from orthocut.experiments.speed_mpm import bench_mpm
@@ -99,16 +97,8 @@ def main() -> None:
     for name, kernel in KERNELS.items():
         least = 1e9 * kernel.operations / peak, 1e9 * kernel.bytes / levels[kernel.level]
         shares = [100 * one / costs[name] for one in least]
-        rows.append(
-            [kernel.words, kernel.operations, kernel.bytes, *(f"{x:.3g}" for x in (costs[name], *least, *shares))]
-        )
-    table = Table(*HEADER)
-    for row in rows:
-        table.add_row(*map(str, row))
-    Console().print(table)
-    options.output.parent.mkdir(parents=True, exist_ok=True)
-    with open(options.output, "w", newline="", encoding="utf-8") as file:
-        csv.writer(file, lineterminator="\n").writerows([HEADER, *rows])
+        rows.append([kernel.words, kernel.operations, kernel.bytes, costs[name], *least, *shares])
+    write_table(HEADER, rows, options.output)
     save(draw(peak, levels, costs), options.output.with_suffix(".png"))
 
 

@@ -6,7 +6,6 @@ Each start is a process of its own, as in the workflow; cold ones have an empty 
 from __future__ import annotations
 
 import argparse
-import csv
 import json
 import os
 import statistics
@@ -18,7 +17,7 @@ from pathlib import Path
 
 from rich.console import Console
 from rich.progress import track
-from rich.table import Table
+from tables import write_table
 
 HEADER = ["case", "compiled code", "import [s]", "set-up [s]", "first step [s]", "in all before stepping [s]"]
 SCRIPTS = {
@@ -86,16 +85,7 @@ def main() -> None:
             rounds = track(range(options.rounds), name, console=Console(stderr=True))
             warm = [start(script, folder) for _ in rounds]
             rows.append([name, "cached", *(statistics.median(column) for column in zip(*warm, strict=True))])
-    options.output.parent.mkdir(parents=True, exist_ok=True)
-    table = Table(*HEADER)
-    with open(options.output, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(HEADER)
-        for row in rows:
-            words = [value if isinstance(value, str) else f"{value:.3g}" for value in row]
-            writer.writerow(words)
-            table.add_row(*words)
-    Console().print(table)
+    write_table(HEADER, rows, options.output)
 
 
 def start(script: str, folder: str) -> tuple[float, float, float, float]:

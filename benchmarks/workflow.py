@@ -8,7 +8,6 @@ workers, checking, writing and collecting.
 from __future__ import annotations
 
 import argparse
-import csv
 import os
 import shutil
 import subprocess
@@ -20,7 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from rich.console import Console
-from rich.table import Table
+from tables import write_table
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
@@ -151,16 +150,7 @@ def main() -> None:
         if options.real and mode != "a job a case":
             rows.append(measured(mode, options.real, trivial=False))
             console.print(rows[-1])
-    options.output.parent.mkdir(parents=True, exist_ok=True)
-    table = Table(*HEADER)
-    with open(options.output, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(HEADER)
-        for row in rows:
-            texts = [f"{cell:.3g}" if isinstance(cell, float) else str(cell) for cell in row]
-            writer.writerow(texts)
-            table.add_row(*texts)
-    console.print(table)
+    write_table(HEADER, rows, options.output)
 
 
 if __name__ == "__main__":
