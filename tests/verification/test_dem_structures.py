@@ -191,6 +191,22 @@ def test_list_of_contacts_misses_nothing_while_two_blocks_collide(packed):
     assert touching > 20
 
 
+@pytest.mark.parametrize("speed", [0.5, 20.0, 300.0])
+def test_two_free_discs_meet_without_a_removed_joint_to_call_for_a_search(speed):
+    """They start beyond the skin, and are listed by the time they touch."""
+    radius = np.array([10e-6, 10e-6])
+    scene = build(np.array([0.0, 26e-6]), np.zeros(2), radius, joint(damping=0.0))
+    assert len(scene.joints.first) == 0
+    scene.speeds[1, 0] = -speed
+    run(scene, 1)
+    assert scene.contacts.start[-1] == 0
+    steps = int(5.9e-6 / speed / scene.time_step)
+    run(scene, max(steps - 1, 1))
+    while scene.places[1, 0] - scene.places[0, 0] >= 20e-6:
+        run(scene, 1)
+    assert scene.contacts.start[-1] == 1
+
+
 def test_time_step_of_the_default_factor_is_below_the_stability_limit(packed):
     """The limit is two over the largest frequency of the bonded specimen, over sqrt(1 + damping)."""
     scene = build(packed.x, packed.y, packed.radius, JOINT)
