@@ -11,6 +11,7 @@ import pytest
 from orthocut.dem.packing import PackedDiscs, pack
 from orthocut.experiments import dem_compression, dem_cutting, dem_specimen, dem_tension
 from orthocut.io.netcdf import read, write
+from orthocut.kernels.dem.walls import wedge_distance
 from orthocut.measure.guard import Diverged
 from orthocut.params.case import load
 from orthocut.variables import VARIABLES
@@ -158,13 +159,16 @@ def test_grooves_are_trapezoids_with_the_stated_widths(ratio):
         assert (np.ptp(taken) if taken.size else 0.0) == pytest.approx(width, abs=1.1e-6)
 
 
-def test_tool_starts_where_it_touches():
-    scene = dem_cutting.make_scene(load("dem_cutting", BLOCK), pack(load("dem_cutting", BLOCK).packing))
+@pytest.mark.parametrize("rake", [-45, -15, 0, 30, 60])
+def test_tool_starts_where_it_touches(rake):
+    """No disc that the tip passes over is in the tool, and one of them meets its rake face or its tip."""
+    case = load("dem_cutting", {**BLOCK, "tool.rake_angle": f"{rake} deg", "tool.clearance_angle": "5 deg"})
+    scene = dem_cutting.make_scene(case, pack(case.packing))
     tip_x, tip_y = scene.walls.rows[0, :2]
-    normal = scene.walls.rows[0, 2:4]
-    gap = (scene.places - [tip_x, tip_y]) @ normal - scene.radius
-    above = scene.places[:, 1] > tip_y - scene.radius
-    assert gap[above].min() == pytest.approx(0, abs=1e-12)
+    away = scene.places - [tip_x, tip_y]
+    above = away[:, 1] > -scene.radius
+    gap = [wedge_distance(*place, *scene.walls.rows[0, 2:6])[0] for place in away[above]] - scene.radius[above]
+    assert gap.min() == pytest.approx(0, abs=1e-12)
 
 
 def test_progress_rises_to_one():

@@ -259,3 +259,24 @@ def test_sliding_joint_loses_the_work_of_friction_and_is_removed_when_its_faces_
     scene.reaction[:] = 0.0
     run(scene, 1)
     assert scene.reaction[:2] == pytest.approx([-push, -JOINT.friction * push], rel=1e-6)
+
+
+def test_pressed_joint_with_short_faces_stays_until_the_contact_after_it_holds_no_more_energy():
+    """Faces of a fifth of the discs are a fifth as stiff: to remove them under pressure would make energy."""
+    scene = two_discs(radius_multiplier=0.2)
+    steps = 200
+    scene.speeds[1, 0] = -2e-8 / (steps * scene.time_step)
+    run(scene, steps)
+    scene.speeds[1, 0] = 0.0
+    scene.speeds[:, 2] = 1e5
+    while not scene.cracks.count[0]:
+        run(scene, 1)
+    broken = energies(scene).energy_fracture
+    while scene.position[2] < 0.8:
+        run(scene, 100)
+    assert scene.joints.live[0] == 1
+    scene.speeds[:, 2] = 0.0
+    scene.speeds[1, 0] = 1.0
+    run(scene, 500)
+    assert scene.joints.live[0] == 0
+    assert energies(scene).energy_fracture >= broken > 0

@@ -70,6 +70,30 @@ def test_chain_between_clamps_has_the_exact_sum_of_its_joints(direction):
     assert scene.reaction[direction] == pytest.approx(shift / softness, rel=1e-4)
 
 
+def test_cantilever_with_a_free_tip_has_the_exact_deflection_of_its_joints():
+    """The tip is moved sideways and turns as it likes; the chain behind it settles under damping (T-FJ5)."""
+    n = 6
+    ends = np.array([0, n - 1])
+    scene = build(
+        2 * R * np.arange(n), np.zeros(n), np.full(n, R), joint(damping=0.3), driven=ends, group=np.array([0, 1])
+    )
+    mass = JOINT.density * math.pi * R**2
+    scene.inverse_mass[(n - 1) * layout.ROW + 2] = 2 / (mass * R**2)
+    shift, steps = 1e-10, 1000
+    scene.speeds[-1, 1] = shift / (steps * scene.time_step)
+    run(scene, steps)
+    scene.speeds[-1, 1] = 0.0
+    run(scene, 40_000)
+    scene.reaction[:] = 0.0
+    run(scene, 1)
+
+    stiffness = MODULUS / (2 * R)
+    shear, bending = stiffness * 2 * R / RATIO, stiffness * 2 / 3 * R**3
+    levers = 2 * R * (np.arange(n - 1) + 0.5)
+    assert scene.reaction[1] == pytest.approx(shift / ((n - 1) / shear + np.sum(levers**2) / bending), rel=1e-4)
+    assert scene.places[-1, 1] == pytest.approx(shift, rel=1e-9)
+
+
 def test_hexagonal_lattice_has_the_exact_moduli():
     """Every disc follows a uniform strain; the stress around an inner disc gives both moduli."""
     columns, rows = 7, 7

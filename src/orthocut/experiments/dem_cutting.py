@@ -80,8 +80,11 @@ def make_scene(case: DemCutting, packed: PackedDiscs) -> Scene:
 
     tool, tip_y = case.tool, case.packing.height - case.cut_depth
     cosine, sine = math.cos(tool.rake_angle), math.sin(tool.rake_angle)
-    reached = y > tip_y - radius
-    tip_x = float(np.max((x + (radius - sine * (y - tip_y)) / cosine)[reached]))
+    above = y - tip_y
+    by_face = x + (radius - sine * above) / cosine
+    by_tip = x + np.sqrt(np.maximum(radius**2 - above**2, 0.0))
+    meets_face = above > radius * sine
+    tip_x = float(np.max(np.where(meets_face, by_face, by_tip)[above > -radius]))
     rake = (-cosine, sine)
     clearance = (math.sin(tool.clearance_angle), -math.cos(tool.clearance_angle))
     wedge = wall((tip_x, tip_y), (rake, clearance), (-case.cut_speed, 0.0), tool.friction, case.joint.modulus)

@@ -22,7 +22,9 @@ def remove_joints(joints, tally, position, radius, law):
 
     Open means that the gap is positive all along the faces and larger than a tenth of their half-length at the centre;
     tilted far means by more than half a radian, beyond which flat faces no longer describe two round discs. The energy
-    that a joint still holds, less that of the linear contact that takes its place, counts as released by fracture.
+    that a joint still holds, less that of the linear contact that takes its place, counts as released by fracture. A
+    joint stays where that contact would hold more, as it may between pressed faces shorter than the discs: to remove
+    it would make energy.
 
     Returns
     -------
@@ -56,7 +58,10 @@ def remove_joints(joints, tally, position, radius, law):
             reach = radius[i // ROW] + radius[j // ROW]
             stiffness = 2.0 * smaller / reach * law.modulus
             overlap = max(min(reach, joints.distance[b]) - length, 0.0)
-            tally[FRACTURE] += held - 0.5 * stiffness * overlap * overlap
+            released = held - 0.5 * stiffness * overlap * overlap
+            if released < 0.0:
+                continue
+            tally[FRACTURE] += released
             joints.live[b] = 0
             block[STIFFNESS + k] = 0.0
             removed += 1
