@@ -20,17 +20,30 @@ from orthocut.figures.palette import BLACK, QUANTITY
 from orthocut.figures.tables import Table
 from orthocut.figures.yang2018_comparison import factor
 from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, NAMES, SIMULATION, WIDTHS, mean, words
-from orthocut.figures.yang2018_runs import GlassRun, as_printed, condition, conditions, cuts_of, forces, paired
+from orthocut.figures.yang2018_runs import (
+    GlassRun,
+    as_printed,
+    condense,
+    condition,
+    conditions,
+    cuts_of,
+    early,
+    forces,
+    paired,
+)
 from orthocut.io.collect import parameters
+
+__all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 
 CAPTION = (
     "Factor by which one change, all else equal, alters the mean main force (filled) and thrust force (open) of cuts "
     "of glass, packing by packing, with 95 % confidence intervals; below, what there is to explain: simulated over "
     "measured forces for the same width, of the paper and of this work."
 )
-DIMS = ()
+DIMS = ("sample",)
 LEAST = 2
 """Fewest packings of a row."""
+UNKNOWN = Interval(math.nan, math.nan, math.nan, 0)
 GAP = "simulated over measured"
 """Name of the rows that tell what there is to explain."""
 
@@ -128,6 +141,8 @@ class Row(NamedTuple):
     packings: int
     factors: tuple[Interval, ...]
     """For each of `FORCES`."""
+    early: Interval = UNKNOWN
+    """For the main force over the first three quarters of the travel, before chips pile up at the fixed side."""
 
 
 def changes(cuts: Sequence[GlassRun]) -> Iterator[Row]:
@@ -158,10 +173,12 @@ def _narrowest(run: GlassRun, other: GlassRun) -> Choice:
 
 
 def _row(choice: Choice, said: str, runs: list[GlassRun], usual: list[GlassRun]) -> Iterator[Row]:
-    factors = tuple(ratio(*paired(runs, usual, f"{name}_mean")) for name in FORCES)
+    both = paired(runs, usual)
+    factors = tuple(ratio(*(forces(some, name) for some in both)) for name in FORCES)
     if factors[0].count >= LEAST:
         change = f"{choice.said(usual[0])} → {said}"
-        yield Row(choice.name, change, _where(runs[0], choice), factors[0].count, factors)
+        before = ratio(*(early(some, FORCES[0]) for some in both))
+        yield Row(choice.name, change, _where(runs[0], choice), factors[0].count, factors, before)
 
 
 def _where(run: GlassRun, choice: Choice | None = None) -> str:
@@ -244,10 +261,10 @@ def _label(row: Row) -> str:
 def tabulate(dataset: xr.Dataset) -> Table:
     """Factors and their 95 % half-widths."""
     header = ["what", "change", "cut", "packings", "main force: factor [-]", "± 95 %", "thrust force: factor [-]"]
-    header += ["± 95 %"]
+    header += ["± 95 %", "main force, first three quarters of travel: factor [-]", "± 95 %"]
     cuts = cuts_of(dataset)
     rows = [
-        [*row[:4], *(number for one in row.factors for number in (one.mean, one.half))]
+        [*row[:4], *(number for one in (*row.factors, row.early) for number in (one.mean, one.half))]
         for row in (*changes(cuts), *gaps(cuts))
     ]
     return Table("What changes the mean forces of cuts of glass, and what there is to explain", header, rows)

@@ -198,5 +198,5 @@ def changes(runs: Sequence[GlassRun], reference: Sequence[GlassRun], name: str) 
 
     Where discs differ in size, the same seed does not give the same packing; the pairs are then as good as random.
     """
-    found = ratio(*paired(runs, reference, f"{name}_mean"))
+    found = ratio(*(forces(some, name) for some in paired(runs, reference)))
     return found._replace(mean=found.mean - 1)

@@ -11,7 +11,7 @@ import xarray as xr
 from orthocut.figures.claims import NOT_REPRODUCED, REPRODUCED, UNDECIDED, Finding
 from orthocut.figures.confidence import Interval, ratio
 from orthocut.figures.yang2018_paper import Cut
-from orthocut.figures.yang2018_runs import GlassRun, conditions, cuts_of, paired, runs_of
+from orthocut.figures.yang2018_runs import GlassRun, conditions, cuts_of, early, paired, runs_of
 
 BAND = 0.10
 """Deviation from a number of the paper that counts as agreement [-]."""
@@ -92,7 +92,12 @@ def worst(verdicts: Sequence[str]) -> str:
 
 def over(first: Sequence[GlassRun], second: Sequence[GlassRun], name: str) -> Interval:
     """Ratio of the means of a number of two sets of cuts, by packings that both have."""
-    return ratio(*paired(first, second, name))
+    return ratio(*([run[name] for run in runs] for runs in paired(first, second)))
+
+
+def over_early(first: Sequence[GlassRun], second: Sequence[GlassRun], name: str) -> Interval:
+    """The same of a force over the first three quarters of the travel, before chips pile up at the fixed side."""
+    return ratio(*(early(runs, name) for runs in paired(first, second)))
 
 
 def said(known: Interval, unit: str = "") -> str:

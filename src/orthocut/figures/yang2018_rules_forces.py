@@ -19,6 +19,7 @@ from orthocut.figures.yang2018_finding import (
     below,
     deviation,
     over,
+    over_early,
     said,
     worst,
 )
@@ -110,36 +111,44 @@ def exponent_of_depth(glass: Glass) -> Finding | None:
 
 def grooves_lower_forces(glass: Glass) -> Finding | None:
     """Main forces with grooves over those without: in the paper's range at both depths."""
-    found = {}
+    found, before = {}, {}
     for depth in (SHALLOW, DEEP):
         grooved, regular = (glass.conditions.get((depth, surface), []) for surface in (GROOVED, REGULAR))
         if not grooved or not regular:
             return None
         found[depth] = over(grooved, regular, f"{MAIN}_mean")
+        before[depth] = over_early(grooved, regular, MAIN)
     paper = [mean(SIMULATION[(depth, GROOVED)][MAIN]) / mean(SIMULATION[(depth, REGULAR)][MAIN]) for depth in found]
     lower = worst([below(one, 1.0) for one in found.values()])
     average = 0.5 * sum(one.mean for one in found.values())
     return Finding(
-        ", ".join(f"{said(one)} at {depth:g} mm" for depth, one in found.items()),
+        _at_depths(found),
         deviation(average, 0.5 * sum(paper)),
         worst([agrees(one, min(paper), max(paper)) for one in found.values()]),
         f"yang2018_table4; holds within the paper's {paper[0]:.2f} and {paper[1]:.2f}, 10 % aside; that grooves lower "
-        f"the force at all: {lower}{_closer(glass)}",
+        f"the force at all: {lower}; over the first three quarters of the travel {_at_depths(before)}{_closer(glass)}",
     )
+
+
+def _at_depths(found: dict[float, Interval]) -> str:
+    return ", ".join(f"{said(one)} at {depth:g} mm" for depth, one in found.items())
 
 
 def _closer(glass: Glass) -> str:
     """The same ratios where 0.2 mm is the pitch of the grooves, not their distance, for the evidence."""
     close = [run for run in usual(glass.cuts) if run.case.grooves and run.case.grooves.distance < Grooves().distance]
-    found = {}
+    found, before = {}, {}
     for depth in (SHALLOW, DEEP):
         grooved = [run for run in close if condition(run)[0] == depth]
         if grooved and glass.conditions.get((depth, REGULAR)):
             found[depth] = over(grooved, glass.conditions[depth, REGULAR], f"{MAIN}_mean")
+            before[depth] = over_early(grooved, glass.conditions[depth, REGULAR], MAIN)
     if not found:
         return ""
-    words_of = ", ".join(f"{said(one)} at {depth:g} mm" for depth, one in found.items())
-    return f"; with 0.2 mm as the pitch of the grooves: {words_of}"
+    return (
+        f"; with 0.2 mm as the pitch of the grooves: {_at_depths(found)}, over the first three quarters of the travel, "
+        f"without the groove at the fixed side, {_at_depths(before)}"
+    )
 
 
 def thrust_over_main(glass: Glass) -> Finding | None:
@@ -153,7 +162,7 @@ def thrust_over_main(glass: Glass) -> Finding | None:
     paper = [mean(SIMULATION[(depth, REGULAR)][THRUST]) / mean(SIMULATION[(depth, REGULAR)][MAIN]) for depth in found]
     average = 0.5 * sum(one.mean for one in found.values())
     return Finding(
-        ", ".join(f"{said(one)} at {depth:g} mm" for depth, one in found.items()),
+        _at_depths(found),
         deviation(average, 0.5 * sum(paper)),
         worst([agrees(one, min(paper), max(paper)) for one in found.values()]),
         f"yang2018_table4; holds within the paper's {min(paper):.2f} to {max(paper):.2f}, 10 % aside; its experiments "

@@ -168,8 +168,8 @@ def early(cuts: Sequence[GlassRun], name: str) -> list[float]:
     return [float(np.mean(cut.parts.get(name, np.full(PARTS, np.nan))[:EARLY])) for cut in cuts]
 
 
-def paired(runs: Sequence[GlassRun], others: Sequence[GlassRun], name: str) -> tuple[list[float], list[float]]:
-    """One number of two sets of runs, for the seeds that both have."""
-    first, second = ({run.seed: run[name] for run in some} for some in (runs, others))
+def paired(runs: Sequence[GlassRun], others: Sequence[GlassRun]) -> tuple[list[GlassRun], list[GlassRun]]:
+    """Those of two sets of runs whose seeds both have, in the same order."""
+    first, second = ({run.seed: run for run in some} for some in (runs, others))
     seeds = sorted(first.keys() & second.keys())
     return [first[seed] for seed in seeds], [second[seed] for seed in seeds]

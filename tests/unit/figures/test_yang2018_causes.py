@@ -1,7 +1,9 @@
 """Causes of the miss of cutting forces: each change is compared packing by packing, where nothing else differs."""
 
 import math
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from synthetic import make_case
 
@@ -53,6 +55,14 @@ def test_grooves_are_compared_with_those_of_the_paper():
     found = {row.change: row.factors[0].mean for row in changes(runs)}
     usual = "rectangles 0.2 mm apart"
     assert found == pytest.approx({f"{usual} → rectangles 0.14 mm apart": 0.5, f"{usual} → none": 2.0})
+
+
+def test_the_first_three_quarters_of_the_travel_stand_beside():
+    whole = [replace(run, parts={FORCES[0]: np.repeat([2.0, 94.0], [6, 2])}) for run in cuts(grooves={})]
+    others = [replace(run, parts={FORCES[0]: np.repeat([3.0, 0.0], [6, 2])}) for run in cuts(2.0)]
+    (row,) = changes(whole + others)
+    assert row.factors[0].mean == pytest.approx(2.0)
+    assert row.early.mean == pytest.approx(1.5)
 
 
 def test_cuts_that_differ_in_more_are_not_compared():

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -121,6 +122,16 @@ def test_grooves_at_the_other_pitch_and_damped_cuts_are_evidence():
         for seed, known in ((1, {"force_cutting_mean": 50.0}), (2, {"force_cutting_mean": 52.0}))
     ]
     assert "with a damping of 0.9 51.0 ± " in rule(glass(usual + damped)).evidence.replace("51 ±", "51.0 ±")
+
+
+def test_grooves_are_also_judged_before_chips_pile_up_at_the_fixed_side():
+    """The last quarter of the travel is the same on both surfaces; before it, grooves halve the force."""
+    runs = []
+    for run in four():
+        parts = np.repeat([0.5 if run.case.grooves else 1.0, 5.0], [6, 2])
+        runs.append(replace(run, parts={"force_cutting": (1 + 0.01 * run.seed) * parts}))
+    found = force.grooves_lower_forces(glass(runs)).evidence
+    assert "over the first three quarters of the travel 0.5 ± " in found
 
 
 def test_every_part_of_a_claim_must_hold():
