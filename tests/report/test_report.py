@@ -94,6 +94,11 @@ def page(tmp_path_factory):
         (results / "published" / paper).mkdir(parents=True)
         (results / "published" / paper / "claims.csv").write_text(f"a claim,figure\n{claim}\n")
     (results / "tables" / "nairn2015_animation.csv").write_text("")
+    for folder, number in (("published/benchmarks", 7), ("benchmarks", 8)):
+        (results / folder).mkdir(parents=True)
+        (results / folder / "roofline.csv").write_text(f"bound,share\nnew or old,{number} %\n")
+    shutil.copy(results / "figures" / "nairn2015_fig08.png", results / "published" / "benchmarks" / "roofline.png")
+    (results / "published" / "benchmarks" / "scenes.csv").write_text("scene\n" + "a long table\n" * 200)
     write_page(gather(root / "study.yaml", results, results / "store"), results / "report.html")
     return results / "report.html"
 
@@ -116,7 +121,7 @@ def test_a_browser_finds_nothing_wrong(page, tmp_path, width):
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
     found = json.loads(re.search(r"<title>PROBE(.*?)</title>", done.stdout).group(1))
     assert found["width"] == width
-    assert found["images"] == 3
+    assert found["images"] == 4
     assert found["twins"] == 0
     assert found["tables"] >= 4
     assert {name: found[name] for name in ("broken", "unnamed", "jumps")} == {"broken": 0, "unnamed": 0, "jumps": 0}
@@ -135,6 +140,16 @@ def test_the_page_tells_what_happened(page):
     assert "data:image/gif;base64," in text
     assert "http://" not in text.replace("http://www.w3.org", "")
     assert page.stat().st_size < 20e6
+
+
+def test_benchmarks_stand_there_new_ones_in_place_of_published_ones(page):
+    text = page.read_text(encoding="utf-8")
+    section = text.split('id="benchmark-roofline"')[1].split("</section>")[0]
+    assert "What bounds a step" in section
+    assert "data:image/png;base64," in section
+    assert "<td>8 %</td>" in section
+    assert "7 %" not in section
+    assert "a long table" not in text
 
 
 def test_what_is_not_there_is_left_out(tmp_path):

@@ -1,10 +1,13 @@
 """One page with all figures, tables and animations, and where they come from."""
 
+from orthocut.report.benchmarks import files
+
 
 rule report:
     input:
         figures_of(PLAN.figures),
         rules.run_times.output.csv,
+        benchmarks=[str(path) for path in files(Path(RESULTS))],
     output:
         page=f"{RESULTS}/report.html",
     log:

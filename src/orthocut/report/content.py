@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import re
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
@@ -10,13 +9,13 @@ from importlib.metadata import version
 from pathlib import Path
 from platform import python_version
 
-import PIL.Image
-
 from orthocut.figures.registry import caption
 from orthocut.io.provenance import git_commit
 from orthocut.io.store import Store
 from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures
 from orthocut.plan import Plan, load_plan
+from orthocut.report.benchmarks import Benchmark, benchmarks
+from orthocut.report.embed import data_uri, shown_width
 from orthocut.report.sheets import (
     PAPERS,
     Sheet,
@@ -28,10 +27,6 @@ from orthocut.report.sheets import (
     run_time_sheet,
 )
 from orthocut.survey import Survey, as_rows, survey
-
-_DENSITY = 1.9
-"""Pixels of a picture for one on screen."""
-_TYPES = {".png": "image/png", ".gif": "image/gif"}
 
 
 @dataclass(frozen=True)
@@ -62,6 +57,7 @@ class Content:
     claims: list[Sheet]
     failures: list[tuple[str, str]]
     times: list[Sheet]
+    benchmarks: list[Benchmark]
     origins: Sheet
     provenance: list[tuple[str, str]]
     links: list[tuple[str, str, int]] = field(default_factory=list)
@@ -93,6 +89,7 @@ def gather(study: Path, results: Path, store: Path) -> Content:
         claims=claims,
         failures=[(row["label"], row["reason"]) for row in as_rows(found) if row["state"] == "failed"],
         times=[run_time_sheet(found), *([each] if each else [])],
+        benchmarks=benchmarks(results),
         origins=origin_sheet(found, Store(store)),
         provenance=_provenance(study),
         links=_links(plan),
@@ -141,17 +138,12 @@ def _picture(name: str, results: Path, claims: list[Sheet]) -> Picture:
         anchor=name,
         title=title,
         caption=caption(name),
-        image=_uri(_image(name, results)),
-        width=round(_width(_image(name, results)) / _DENSITY),
-        animation=_uri(motion) if motion.exists() else "",
+        image=data_uri(_image(name, results)),
+        width=shown_width(_image(name, results)),
+        animation=data_uri(motion) if motion.exists() else "",
         table=None if is_claims(name) else read_sheet(results / "tables" / f"{name}.csv", f"Table of {title}"),
         claims=claims_of(name, claims),
     )
-
-
-def _width(path: Path) -> int:
-    with PIL.Image.open(path) as picture:
-        return picture.width
 
 
 def _words(name: str) -> str:
@@ -160,8 +152,3 @@ def _words(name: str) -> str:
         if found := re.fullmatch(rf"{short}0*(\d+[a-z]?)", name):
             return f"{long}{found[1].upper()}"
     return name.replace("_", " ")
-
-
-def _uri(path: Path) -> str:
-    """Content of a picture, to stand in a page."""
-    return f"data:{_TYPES[path.suffix]};base64,{base64.b64encode(path.read_bytes()).decode()}"
