@@ -80,11 +80,10 @@ def _mpm(case: Case, run: xr.Dataset) -> Iterator[Check]:
     for name, limit in (("elastic", 1e-6), ("plastic", 1e-6), ("kinetic", 1e-6), ("friction", 0.01), ("damping", 0.01)):
         yield Check(f"{name} energy below zero over the work", float(-parts[name].min() / abs(work[-1])), limit)
     yield Check("momentum not accounted for over that of the tool", _momentum(case, run), 0.05)
-    columns = 2 * round(case.workpiece.length_ratio * case.numerics.points_per_depth / 2)
-    cells = (0.5 * case.numerics.points_per_depth) ** 2
-    rows = case.numerics.points_per_depth + 2 * max(
-        1, round(case.workpiece.base_ratio * case.numerics.points_per_depth / 2)
-    )
+    through, along = case.numerics.points_per_depth, case.numerics.points_per_cell
+    columns = along * round(case.workpiece.length_ratio * through / along)
+    rows = through + along * max(1, round(case.workpiece.base_ratio * through / along))
+    cells = (through / along) ** 2
     yield Check("points lost", float(abs(run["point_x"].shape[1] - columns * rows)), 0)
     gradient = run["point_deformation"].values[-1]
     volume = gradient[:, 0] * gradient[:, 3] - gradient[:, 1] * gradient[:, 2]
@@ -107,7 +106,7 @@ def _momentum(case: Case, run: xr.Dataset) -> float:
     after = times > case.numerics.ramp_fraction * case.duration
     if after.sum() < 4:
         return 0.0
-    mass = case.material.density * (0.5 * case.cell) ** 2
+    mass = case.material.density * (case.cut_depth / case.numerics.points_per_depth) ** 2
     edges = np.concatenate([[0.0], run["time"].values])
     intervals = np.diff(edges)
     worst = 0.0
@@ -166,7 +165,7 @@ def _shared_cells(case: Case, run: xr.Dataset, volume: np.ndarray, columns: int)
     filled = []
     for part in (slice(0, chip), slice(chip, None)):
         cells = np.zeros(shape)
-        np.add.at(cells, (i[part], j[part]), 0.25 * volume[part])
+        np.add.at(cells, (i[part], j[part]), volume[part] / case.numerics.points_per_cell**2)
         filled.append(cells)
     return int(np.sum(np.minimum(*filled) > 0.9))
 

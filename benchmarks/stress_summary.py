@@ -44,7 +44,6 @@ GUARDS = (
     ("overlap", "overlap of discs"),
     ("faster than", "speed limit"),
     ("more neighbours", "list of contacts is full"),
-    ("meets no disc|meets nothing", "tool meets nothing"),
 )
 """What a message says to the guard that says it, in the order in which they are tried."""
 COLOURS = {DONE: BLUE, REFUSED: "#C9C9C9", FAILED: ORANGE}

@@ -84,11 +84,12 @@ def test_bonds_stronger_than_their_modulus_are_not_cut_quietly():
         run_case(load("dem", {**SMALL, **soft}))
 
 
-def test_a_tool_that_meets_nothing_is_no_cut():
-    """A steep rake face starts far from the block; the run was done, or divided by its work of zero."""
+def test_a_steep_tool_meets_the_block_at_once():
+    """Its rake face would touch discs below the tip from far away; the tool used to end its travel in the air."""
     steep = {"rake_angle": "68 deg", "clearance_angle": "10 deg", "travel": "2 um"}
-    with pytest.raises(Diverged, match=r"meets no disc in all its travel of 0.002 mm.*larger travel"):
-        run_case(load("dem", {**SMALL, **steep}))
+    run = run_case(load("dem", {**SMALL, **steep}))
+    assert float(run.force_cutting[:5].mean()) > 0
+    assert float(run.work_tool[-1]) > 0
 
 
 def test_closure_of_a_run_without_work_is_zero():

@@ -46,6 +46,16 @@ def test_path_over_part_of_the_width_cuts_like_the_whole_one(whole):
     assert abs(float(part.energy_closure)) < 5e-3
 
 
+@pytest.mark.parametrize(("points", "per_cell"), [(8, 3), (10, 4)])
+def test_more_points_in_a_cell_cut_alike_with_a_balance_that_closes(whole, points, per_cell):
+    """Cells of about the same size: the force is that of two points along a cell, or up to a tenth less."""
+    run = simulate(load("mpm", {**COARSE, "points_per_depth": points, "points_per_cell": per_cell}), snapshots=0)
+    ratio = float(run.force_cutting_mean / whole.force_cutting_mean)
+    print(f"{per_cell} points along a cell: force x {ratio:.3f}, closure {float(run.energy_closure):+.1e}")
+    assert 0.85 < ratio < 1.03
+    assert abs(float(run.energy_closure)) < 5e-3
+
+
 def test_silent_bottom_lets_the_workpiece_go():
     """Nairn (2015), section 2.2: it does not hold the workpiece. The balance closes; dashpots take energy."""
     short = {**COARSE, "travel_ratio": 5.0, "window_ratio": 3.0, "reach_ratio": 0.0}

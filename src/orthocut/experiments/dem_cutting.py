@@ -29,7 +29,6 @@ from orthocut.measure.dem_cracks import count_cracks, cracks
 from orthocut.measure.dem_damage import damage
 from orthocut.measure.dem_energy import Energies, energies, forces
 from orthocut.measure.dem_watch import watch
-from orthocut.measure.guard import Diverged
 from orthocut.params.dem import DemCutting
 
 SAMPLES = 500
@@ -126,7 +125,7 @@ def simulate(
     Raises
     ------
     Diverged
-        If a disc gets too fast, energy does not balance, discs overlap too far or the tool meets none.
+        If a disc gets too fast, energy does not balance or discs overlap too far.
     """
     discs = packed_discs(case.packing, checkpoint)
     scene = make_scene(case, discs)
@@ -152,11 +151,6 @@ def simulate(
         if checkpoint:
             checkpoint.offer(partial(_state, scene, Progressed(samples, shots, advancing)))
 
-    if not scene.walls.rows[0, [WALL_PEAK_X, WALL_PEAK_Y]].any():
-        raise Diverged(
-            f"the tool meets no disc in all its travel of {case.travel * 1e3:.4g} mm; try a larger travel or a smaller "
-            f"tool.rake_angle than {math.degrees(case.tool.rake_angle):.4g} deg"
-        )
     loose = _chips(scene, whole)
     data = _data(case, discs, scene, samples, start) | _chip_data(loose)
     if snapshots:

@@ -122,7 +122,7 @@ def simulate(
     if snapshots:
         for name, (dims, _) in snapshot(state).items():
             data[name] = (("snapshot", *dims), np.stack(shots[name]))
-        data["point_half_width"] = ((), 0.25 * frame.cell)
+        data["point_half_width"] = ((), frame.half_point * frame.cell)
     dataset = build(case, "Orthogonal cut with material points", data, {"time": data.pop("time")})
     dataset.attrs |= {
         "particles": state.point_count,

@@ -1,4 +1,4 @@
-"""Numerical error of ductile cuts: force over particle size, transfers, time step, speed, rest and damping."""
+"""Numerical error of ductile cuts: force over size and number of points, transfers, step, speed, rest and damping."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ from orthocut.theory import bending, touching
 CAPTION = (
     "Cutting force over particle size; over the share of the velocity gradient that points hand on (0 is PIC, 1 "
     "APIC) and, with the loop of the paper's program, over the share of their own velocity that they keep (0 is "
-    "PIC, 1 FLIP); over the Courant number, to which the time step is proportional; over the speed of the tool; "
+    "PIC, 1 FLIP); over the number of points along a side of a cell, at the same size of points; over the Courant "
+    "number, to which the time step is proportional; over the speed of the tool; "
     "over the distance ahead of the tool, in depths of cut, beyond which material rests (at 0 all of it moves); and"
     " over the gain of the feedback damping while the tool speeds up. Runs of a series differ in nothing else. "
     "Colours: materials; symbols: schemes and laws of failure. Open: the tool touches the crack tip. Bars: standard "
@@ -38,13 +39,14 @@ PANELS = (
     ("points_per_depth", "particle size over depth of cut $1/n$ [-]", 3),
     ("affine", "share of the gradient [-]", 3),
     ("flip", "share of FLIP [-]", 3),
+    ("points_per_cell", "points along a cell $n_c$ [-]", 3),
     ("courant", "Courant number $C$ [-]", 2),
     ("cut_speed", "tool speed $v$ [m/s]", 2),
     ("reach_ratio", "reach of what moves [-]", 3),
     ("ramp_feedback", "feedback [mm$^{-2}$]", 3),
 )
 """Fields, labels and the least number of values of a series."""
-PLACES = "AABC\nDEFG"
+PLACES = "\n".join(["A" * 10 + "B" * 5 + "C" * 5, "".join(4 * letter for letter in "DEFGH")])
 MARKERS = "osD^vPX"
 POWERS = ((1.0, "--"), (2.0, ":"))
 

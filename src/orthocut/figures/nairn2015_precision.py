@@ -40,6 +40,7 @@ SIZE, SEVERAL, PAIR = "particle size", "several together", "two sizes, to zero"
 KNOBS = {
     SIZE: ("o", BLUE),
     "transfers": ("s", ORANGE),
+    "points in a cell": ("p", AMBER),
     "nodes of little mass": ("^", GREEN),
     "loop of the paper": ("D", PURPLE),
     "time step": ("v", AMBER),
@@ -55,6 +56,7 @@ KNOBS = {
 FIELDS = {
     "affine": "transfers",
     "flip": "transfers",
+    "points_per_cell": "points in a cell",
     "support": "nodes of little mass",
     "scheme": "loop of the paper",
     "contact": "loop of the paper",

@@ -33,6 +33,7 @@ SPECIAL = {
     **dict.fromkeys(("travel_ratio", "window_ratio", "error_target", "length_ratio"), lambda value: ""),
     "stress_yield": _yielding,
     "reach_ratio": lambda value: "" if value in (0.0, 8.0) else f"reach {value:g}",
+    "points_per_cell": lambda value: "" if value == 2 else f"{value:g} x {value:g} points a cell",
     "affine": lambda value: "" if value == 1.0 else transfers(value),
     "support": lambda value: {0.0: "no support", 0.05: ""}.get(value, f"support {value:g}"),
     "scheme": lambda value: "paper's loop" if value == "usavg" else "",

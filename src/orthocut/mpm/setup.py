@@ -41,11 +41,11 @@ def fill_blocks(x: np.ndarray, y: np.ndarray, mass: float) -> np.ndarray:
     return flat.reshape(layout.POINT_FIELDS, count, layout.LANES).transpose(1, 0, 2).copy()
 
 
-def _rectangle(columns: range, rows: range, spacing: float) -> tuple[np.ndarray, np.ndarray]:
+def _rectangle(columns: range, rows: range, spacing: float, per_cell: int) -> tuple[np.ndarray, np.ndarray]:
     """Places of points on a square lattice, columns of cells one after the other."""
     i, j = np.meshgrid(np.array(columns), np.array(rows), indexing="ij")
     i, j = i.ravel(), j.ravel()
-    order = np.lexsort((i % 2, j % 2, j // 2, i // 2))
+    order = np.lexsort((i % per_cell, j % per_cell, j // per_cell, i // per_cell))
     return (i[order] + 0.5) * spacing, (j[order] + 0.5) * spacing
 
 
@@ -56,16 +56,17 @@ def build(case: MpmCutting) -> State:
     """
     depth = case.cut_depth
     n = case.numerics.points_per_depth
+    per_cell = case.numerics.points_per_cell
     spacing = depth / n
-    columns = 2 * round(case.workpiece.length_ratio * n / 2)
-    base_rows = 2 * max(1, round(case.workpiece.base_ratio * n / 2))
+    columns = per_cell * round(case.workpiece.length_ratio * n / per_cell)
+    base_rows = per_cell * max(1, round(case.workpiece.base_ratio * n / per_cell))
     mass = case.material.density * spacing**2
-    chip = fill_blocks(*_rectangle(range(columns), range(n), spacing), mass)
-    base = fill_blocks(*_rectangle(range(columns), range(-base_rows, 0), spacing), mass)
+    chip = fill_blocks(*_rectangle(range(columns), range(n), spacing, per_cell), mass)
+    base = fill_blocks(*_rectangle(range(columns), range(-base_rows, 0), spacing, per_cell), mass)
 
     room = _ROOM * (case.travel_ratio + case.workpiece.notch_ratio) + 2.0
-    beside = above = math.ceil(room * n / 2) + 3
-    below = base_rows // 2 + 3
+    beside = above = math.ceil(room * n / per_cell) + 3
+    below = base_rows // per_cell + 3
 
     path = round(case.workpiece.path_ratio * n) or columns
     whole = max(columns - path, 0)
@@ -106,9 +107,9 @@ def build(case: MpmCutting) -> State:
             origin_y=-below * cell,
             cell=cell,
             inv_cell=1.0 / cell,
-            count_x=beside + columns // 2 + beside + 1,
+            count_x=beside + columns // per_cell + beside + 1,
             count_y=below + above + 1,
-            last_clamped_row=below - base_rows // 2,
+            last_clamped_row=below - base_rows // per_cell,
             mass_small=_MASS_SMALL * solid.density * cell**2,
             mass_firm=case.numerics.support * solid.density * cell**2,
             time_step=case.time_step,
@@ -116,7 +117,8 @@ def build(case: MpmCutting) -> State:
             dashpot_normal=0.0 if held else solid.density * solid.speed_pressure_wave * cell,
             dashpot_shear=math.sqrt(solid.density * solid.modulus_shear) * cell,
             reach=case.numerics.reach_ratio * depth or math.inf,
-            last_whole_column=beside + whole // 2 if whole else -1,
+            half_point=0.5 / per_cell,
+            last_whole_column=beside + whole // per_cell if whole else -1,
         ),
         usavg=Usavg(case.numerics.flip, case.numerics.position_order) if case.numerics.scheme == "usavg" else None,
     )

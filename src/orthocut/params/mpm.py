@@ -36,7 +36,9 @@ class MpmNumerics(Block):
     """Discretisation in space and time."""
 
     points_per_depth: Annotated[int, Number(2, 60, integer=True)] = 10
-    """Material points through the depth of cut; two a cell and direction."""
+    """Material points through the depth of cut."""
+    points_per_cell: Annotated[int, Number(1, 4, integer=True)] = 2
+    """Material points along each side of a cell."""
     courant: Annotated[float, Number(0.01, 1.0)] = 0.5
     """Time step over the time a pressure wave needs for a cell."""
     affine: Annotated[float, Number(0.0, 1.0)] = 1.0
@@ -138,8 +140,8 @@ class MpmCutting(Block):
 
     @property
     def cell(self) -> float:
-        """Cell size; two material points a cell and direction [m]."""
-        return 2.0 * self.cut_depth / self.numerics.points_per_depth
+        """Cell size [m]."""
+        return self.numerics.points_per_cell * self.cut_depth / self.numerics.points_per_depth
 
     @property
     def steps(self) -> int:

@@ -119,7 +119,7 @@ def mark_contact_nodes(marked, listed, points, near, near_count, body, wedge, ti
         Number of nodes listed.
     """
     nx, ny, tx, ty = face_of(body, wedge)
-    half_width = 0.25 * frame.cell
+    half_width = frame.half_point * frame.cell
     count = 0
     for k in range(near_count):
         start = near[k] // LANES * BLOCK

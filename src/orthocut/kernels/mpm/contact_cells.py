@@ -58,7 +58,7 @@ def sum_tool(tool_sums, tool_nodes, wedge, tip, right, top, frame):
             i, j = nearest_node(x, frame.count_x), nearest_node(y, frame.count_y)
             if abs(x - i) > 0.5 or abs(y - j) > 0.5:  # outside of the grid
                 continue
-            weights_x, weights_y = gimp_weights(x - i), gimp_weights(y - j)
+            weights_x, weights_y = gimp_weights(x - i, 0.25), gimp_weights(y - j, 0.25)
             for k in range(3):
                 for c in range(3):
                     node = (int(j) - 1 + k) * frame.count_x + int(i) - 1 + c
@@ -121,7 +121,8 @@ def mark_cells(marked, tool_sums, tool_nodes, tool_count, body_sums, points, nea
         distance = (px - tip) * nx + py * ny
         x, y = (px - frame.origin_x) * frame.inv_cell, (py - frame.origin_y) * frame.inv_cell
         i, j = nearest_node(x, frame.count_x), nearest_node(y, frame.count_y)
-        weights_x, weights_y = gimp_weights(x - i), gimp_weights(y - j)
+        half = frame.half_point
+        weights_x, weights_y = gimp_weights(x - i, half), gimp_weights(y - j, half)
         for row in range(3):
             for column in range(3):
                 node = (int(j) - 1 + row) * frame.count_x + int(i) - 1 + column

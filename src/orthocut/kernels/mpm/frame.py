@@ -43,6 +43,8 @@ class Frame(NamedTuple):
     """Material farther than this ahead of the tool tip, or half as far behind it, rests [m]."""
     last_whole_column: int = -1
     """Up to this column, beyond the end of the path, chip and base are one; -1 where there is no such place."""
+    half_point: float = 0.25
+    """Half-width of an undeformed point over the cell size: 1/4 for two points a cell and direction."""
 
 
 class Solid(NamedTuple):

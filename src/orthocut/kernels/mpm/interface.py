@@ -30,8 +30,8 @@ INTERFACE_ROWS = 14
 
 @part
 def pair_area(frame):
-    """Area of a pair per unit width; there are two pairs a cell [m]."""
-    return 0.5 * frame.cell
+    """Area of a pair per unit width; there are as many pairs along a cell as points [m]."""
+    return 2.0 * frame.half_point * frame.cell
 
 
 @part

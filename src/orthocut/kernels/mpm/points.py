@@ -51,20 +51,20 @@ from orthocut.kernels.mpm.transfers import gather_point, scatter_point
 def weigh_lanes(work, frame):
     """Shape functions of each lane and the lower left of its 3 x 3 nodes."""
     origin_x, origin_y, inv_cell = frame.origin_x, frame.origin_y, frame.inv_cell
-    count_x, count_y = frame.count_x, frame.count_y
+    count_x, count_y, half = frame.count_x, frame.count_y, frame.half_point
     for lane in range(LANES):
         x = (work[X * LANES + lane] - origin_x) * inv_cell
         y = (work[Y * LANES + lane] - origin_y) * inv_cell
         i = nearest_node(x, count_x)
         j = nearest_node(y, count_y)
-        w0, w1, w2, g0, g1, g2 = gimp_weights(x - i)
+        w0, w1, w2, g0, g1, g2 = gimp_weights(x - i, half)
         work[WX * LANES + lane] = w0
         work[(WX + 1) * LANES + lane] = w1
         work[(WX + 2) * LANES + lane] = w2
         work[GX * LANES + lane] = g0
         work[(GX + 1) * LANES + lane] = g1
         work[(GX + 2) * LANES + lane] = g2
-        w0, w1, w2, g0, g1, g2 = gimp_weights(y - j)
+        w0, w1, w2, g0, g1, g2 = gimp_weights(y - j, half)
         work[WY * LANES + lane] = w0
         work[(WY + 1) * LANES + lane] = w1
         work[(WY + 2) * LANES + lane] = w2

@@ -1,4 +1,4 @@
-"""Shape functions: uGIMP for two points a cell and direction, and bilinear ones for interface points.
+"""Shape functions of material points: uGIMP.
 
 Bardenhagen & Kober (2004), CMES 5, 477-496.
 """
@@ -9,13 +9,15 @@ from orthocut.kernels.jit import inline
 
 
 @inline
-def gimp_weights(r):
-    """Weights of the left, nearest and right node for a particle of half-width h/4.
+def gimp_weights(r, half):
+    """Weights of the left, nearest and right node for a particle.
 
     Parameters
     ----------
     r : float
         Position minus that of the nearest node, over the cell size, in [-1/2, 1/2].
+    half : float
+        Half-width of the particle over the cell size, up to 1/2.
 
     Returns
     -------
@@ -24,11 +26,13 @@ def gimp_weights(r):
     left_slope, centre_slope, right_slope : float
         Derivatives by position times the cell size; their sum is zero.
     """
-    t = min(max(0.25 - r, 0.0), 0.5)
-    u = 0.5 - t
-    left = t * t + max(-0.25 - r, 0.0)
-    right = u * u + max(r - 0.25, 0.0)
-    return left, 1.0 - left - right, right, -2.0 * t, 2.0 * (t - u), 2.0 * u
+    t = min(max(half - r, 0.0), 2.0 * half)
+    u = 2.0 * half - t
+    share = 0.25 / half
+    left = share * t * t + max(-half - r, 0.0)
+    right = share * u * u + max(r - half, 0.0)
+    slope = 2.0 * share
+    return left, 1.0 - left - right, right, -slope * t, slope * (t - u), slope * u
 
 
 @inline

@@ -30,7 +30,7 @@ def weights(x, y):
     result = np.zeros((COUNT_Y, COUNT_X))
     u, v = (x - FRAME.origin_x) / CELL, (y - FRAME.origin_y) / CELL
     i, j = math.floor(u + 0.5), math.floor(v + 0.5)
-    along, up = gimp_weights.py_func(u - i)[:3], gimp_weights.py_func(v - j)[:3]
+    along, up = gimp_weights.py_func(u - i, 0.25)[:3], gimp_weights.py_func(v - j, 0.25)[:3]
     if 1 <= i <= COUNT_X - 2 and 1 <= j <= COUNT_Y - 2:
         result[j - 1 : j + 2, i - 1 : i + 2] = np.outer(up, along)
     return result

@@ -84,7 +84,7 @@ def test_scatter_is_that_of_plain_numpy():
     for p in range(fields["X"].size):
         x, y = (fields["X"][p] - FRAME.origin_x) / CELL, (fields["Y"][p] - FRAME.origin_y) / CELL
         i, j = math.floor(x + 0.5), math.floor(y + 0.5)
-        wx, wy = np.array(gimp_weights.py_func(x - i)), np.array(gimp_weights.py_func(y - j))
+        wx, wy = np.array(gimp_weights.py_func(x - i, 0.25)), np.array(gimp_weights.py_func(y - j, 0.25))
         mass = fields["MASS"][p]
         for k in range(3):
             for c in range(3):

@@ -6,9 +6,11 @@ import pytest
 from orthocut.kernels.mpm.shape import gimp_weights, nearest_node
 
 weights = gimp_weights.py_func
+HALF_WIDTHS = [0.5, 0.25, 1 / 6, 0.125]
+"""Of points that stand one to four in a row along a cell."""
 
 
-def textbook(r, half_width=0.25):
+def textbook(r, half_width):
     """Weight and slope of one node at distance r (cells), Bardenhagen & Kober (2004)."""
     a = abs(r)
     if a < half_width:
@@ -20,16 +22,18 @@ def textbook(r, half_width=0.25):
     return 0.0, 0.0
 
 
+@pytest.mark.parametrize("half_width", HALF_WIDTHS)
 @pytest.mark.parametrize("r", np.linspace(-0.5, 0.5, 41))
-def test_weights_are_the_textbook_ones(r):
-    result = np.array(weights(r))
-    expected = np.array([textbook(r + 1), textbook(r), textbook(r - 1)]).T.ravel()
+def test_weights_are_the_textbook_ones(r, half_width):
+    result = np.array(weights(r, half_width))
+    expected = np.array([textbook(r + k, half_width) for k in (1, 0, -1)]).T.ravel()
     np.testing.assert_allclose(result, expected, atol=1e-15)
 
 
+@pytest.mark.parametrize("half_width", HALF_WIDTHS)
 @pytest.mark.parametrize("r", np.random.default_rng(1).uniform(-0.5, 0.5, 20))
-def test_weights_reproduce_constants_and_places(r):
-    *w, g0, g1, g2 = weights(r)
+def test_weights_reproduce_constants_and_places(r, half_width):
+    *w, g0, g1, g2 = weights(r, half_width)
     places = np.array([-1.0, 0.0, 1.0])
     assert sum(w) == pytest.approx(1.0, abs=1e-15)
     assert g0 + g1 + g2 == pytest.approx(0.0, abs=1e-15)
