@@ -54,10 +54,10 @@ calibrate: $(STAMP) ## fit the joints of glass to its stiffness and strengths: r
 dry-run: $(STAMP) ## say what `make figures` would do, and why
 	@$(BIN)/snakemake --dry-run --config study=$(STUDY)
 
-publish: figures ## copy some pictures and all tables of the study to results/published, which is tracked
+publish: figures ## copy some pictures and tables of the study to results/published, which is tracked
 	@mkdir -p results/published/figures results/published/tables
 	@cp $(PUBLISHED:%=results/figures/%.png) results/published/figures
-	@cp results/tables/yang2018_* results/tables/run_times.* results/published/tables
+	@cp results/tables/yang2018_table4.* results/tables/run_times.* results/published/tables
 	@mkdir -p results/published/animations && cp results/animations/*.gif results/published/animations
 	@rm -rf results/published/store
 	@$(BIN)/orthocut store export results/published/store --study $(STUDY)

@@ -15,10 +15,11 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from orthocut.figures.canvas import PAGE, nothing, page, styled
-from orthocut.figures.confidence import Interval, interval, ratio
+from orthocut.figures.confidence import Interval, interval
 from orthocut.figures.palette import BLACK, QUANTITY
 from orthocut.figures.tables import Table
 from orthocut.figures.yang2018_comparison import factor
+from orthocut.figures.yang2018_finding import over, over_early
 from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, NAMES, SIMULATION, WIDTHS, mean, words
 from orthocut.figures.yang2018_runs import (
     GlassRun,
@@ -27,9 +28,7 @@ from orthocut.figures.yang2018_runs import (
     condition,
     conditions,
     cuts_of,
-    early,
     forces,
-    paired,
 )
 from orthocut.io.collect import parameters
 
@@ -173,11 +172,10 @@ def _narrowest(run: GlassRun, other: GlassRun) -> Choice:
 
 
 def _row(choice: Choice, said: str, runs: list[GlassRun], usual: list[GlassRun]) -> Iterator[Row]:
-    both = paired(runs, usual)
-    factors = tuple(ratio(*(forces(some, name) for some in both)) for name in FORCES)
+    factors = tuple(over(runs, usual, f"{name}_mean") for name in FORCES)
     if factors[0].count >= LEAST:
         change = f"{choice.said(usual[0])} → {said}"
-        before = ratio(*(early(some, FORCES[0]) for some in both))
+        before = over_early(runs, usual, FORCES[0])
         yield Row(choice.name, change, _where(runs[0], choice), factors[0].count, factors, before)
 
 

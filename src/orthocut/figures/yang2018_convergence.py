@@ -13,9 +13,10 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from orthocut.figures.canvas import PAGE, nothing, page, styled
-from orthocut.figures.confidence import Interval, interval, ratio
+from orthocut.figures.confidence import Interval, interval
 from orthocut.figures.palette import AMBER, BLACK, GREEN, PURPLE, QUANTITY, SKY
 from orthocut.figures.tables import Table
+from orthocut.figures.yang2018_finding import over
 from orthocut.figures.yang2018_paper import FORCES, NAMES, words
 from orthocut.figures.yang2018_runs import (
     PARTS,
@@ -26,7 +27,6 @@ from orthocut.figures.yang2018_runs import (
     conditions,
     cuts_of,
     forces,
-    paired,
 )
 from orthocut.io.collect import parameters
 from orthocut.variables import VARIABLES
@@ -198,5 +198,5 @@ def changes(runs: Sequence[GlassRun], reference: Sequence[GlassRun], name: str) 
 
     Where discs differ in size, the same seed does not give the same packing; the pairs are then as good as random.
     """
-    found = ratio(*(forces(some, name) for some in paired(runs, reference)))
+    found = over(runs, reference, f"{name}_mean")
     return found._replace(mean=found.mean - 1)
