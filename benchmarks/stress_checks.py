@@ -100,7 +100,8 @@ ENERGIES = ("elastic", "plastic", "kinetic", "cohesive", "friction", "contact", 
 def _momentum(case: Case, run: xr.Dataset) -> float:
     """Way of the mass centre after the ramp less that by the forces of tool and clamp, over that by the tool's alone.
 
-    The speed at the end of the ramp is not known; it is fitted.
+    The speed at the end of the ramp is not known; it is fitted. Where the tool hardly pushes along an axis, a thousandth
+    of its way by the larger of its forces is the measure: a way of next to nothing tells nothing.
     """
     times = run["time_snapshot"].values
     after = times > case.numerics.ramp_fraction * case.duration
@@ -109,7 +110,7 @@ def _momentum(case: Case, run: xr.Dataset) -> float:
     mass = case.material.density * (case.cut_depth / case.numerics.points_per_depth) ** 2
     edges = np.concatenate([[0.0], run["time"].values])
     intervals = np.diff(edges)
-    worst = 0.0
+    opened, scales, least = [], [], 1e-300
     for axis, name in (("x", "cutting"), ("y", "thrust")):
         moment = mass * run[f"point_{axis}"].values[after].sum(axis=1)
         ways = []
@@ -123,10 +124,10 @@ def _momentum(case: Case, run: xr.Dataset) -> float:
         def bent(values, line=line):
             return values - line @ np.linalg.lstsq(line, values, rcond=None)[0]
 
-        tool = max(np.ptp(bent(ways[0])), np.ptp(bent(ways[1])), 1e-300)
-        scale = max(tool, 1e-3 * np.ptp(ways[0]))
-        worst = max(worst, float(np.ptp(bent(moment - ways[0] - ways[1])) / scale))
-    return worst
+        opened.append(np.ptp(bent(moment - ways[0] - ways[1])))
+        scales.append(max(np.ptp(bent(ways[0])), np.ptp(bent(ways[1]))))
+        least = max(least, 1e-3 * np.ptp(ways[0]))
+    return max(float(way / max(scale, least)) for way, scale in zip(opened, scales, strict=True))
 
 
 def _beyond_yield(case: Case, run: xr.Dataset, volume: np.ndarray) -> float:

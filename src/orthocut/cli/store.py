@@ -13,6 +13,7 @@ from orthocut.params.block import ConfigError
 
 if TYPE_CHECKING:
     from orthocut.io.store import Store
+    from orthocut.params.case import Case
 
 app = typer.Typer(
     help="Look after the results: check, list, clean up, carry to another place.",
@@ -35,17 +36,31 @@ def _open(root: Path) -> Store:
     return Store(root)
 
 
-def _wanted(studies: list[str]) -> set[str]:
-    """Names of the results that studies want, from these sources."""
-    from orthocut.params.identity import result_key
+def _cases(studies: list[str]) -> list[Case]:
+    """Cases of studies."""
     from orthocut.params.study import load_study
 
-    cases = (load_study(study_path(Path(name))).cases(name) for name in studies)
-    return {result_key(case) for sweeps in cases for members in sweeps.values() for case in members.values()}
+    found = (load_study(study_path(Path(name))).cases(name) for name in studies)
+    return [case for sweeps in found for members in sweeps.values() for case in members.values()]
+
+
+def _wanted(cases: list[Case]) -> set[str]:
+    """Names of the results of cases, from these sources."""
+    from orthocut.params.identity import result_key
+
+    return {result_key(case) for case in cases}
+
+
+def _old_packings(root: Path, cases: list[Case]) -> list[Path]:
+    """Packings beside the results that none of the cases is made of."""
+    from orthocut.experiments.packing_shelf import FOLDER, shelf_path
+
+    wanted = {shelf_path(root / FOLDER, case.packing) for case in cases if hasattr(case, "packing")}
+    return sorted(path for path in (root / FOLDER).glob("packing-*.npy") if path not in wanted)
 
 
 def _chosen(store: Store, studies: list[str] | None) -> list[str]:
-    wanted = _wanted(studies) if studies else None
+    wanted = _wanted(_cases(studies)) if studies else None
     return [key for key in store.names() if wanted is None or key in wanted]
 
 
@@ -118,16 +133,18 @@ def collect_garbage(
     ] = None,
     dry_run: DryRun = False,
 ) -> None:
-    """Remove results that no study wants or that other sources made, and what killed processes left."""
+    """Remove results and packings that no study wants or that other sources made, and what killed processes left."""
     from orthocut.io.store import SNAPSHOTS, SUFFIX
 
     store = _open(root)
     names = studies or [str(path) for path in sorted(CONFIG.glob("*.yaml")) if path.name != "default.yaml"]
     if not names:
         raise ConfigError(f"{CONFIG}: holds no studies, so that nothing would be kept (allowed: --study STUDY.yaml)")
-    wanted = _wanted(names)
+    cases = _cases(names)
+    wanted = _wanted(cases)
     doomed = [store.path(key, suffix) for key in store.names() if key not in wanted for suffix in (SUFFIX, SNAPSHOTS)]
     doomed = [path for path in doomed if path.exists()] + list(store.remains())
+    doomed += _old_packings(root, cases)
     for path in doomed:
         typer.echo(str(path))
         if not dry_run:

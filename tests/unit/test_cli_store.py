@@ -1,0 +1,54 @@
+"""``orthocut store gc``: what a study wants stays, all else goes."""
+
+import json
+
+import pytest
+import yaml
+from synthetic import dem_cut_run
+from typer.testing import CliRunner
+
+from orthocut.cli import app
+from orthocut.experiments.packing_shelf import FOLDER, shelf_path
+from orthocut.io.store import Store
+from orthocut.params.case import validate
+
+
+@pytest.fixture
+def shelf(tmp_path):
+    """A store with a wanted result, an unwanted one, a checkpoint, and a packing of each; and a study of the first."""
+    store = Store(tmp_path / "store")
+    wanted = validate(json.loads(dem_cut_run().attrs["case"]))
+    other = wanted.model_copy(update={"packing": wanted.packing.model_copy(update={"seed": 77})})
+    folder = store.root / FOLDER
+    folder.mkdir(parents=True)
+    keep, drop = [], [store.root / "x.checkpoint.npz"]
+    for case, files in ((wanted, keep), (other, drop)):
+        files += [store.path(store.put(case, dem_cut_run(), 0, 1.0).key), shelf_path(folder, case.packing)]
+    for path in (*keep, *drop):
+        path.touch()
+    study = tmp_path / "one.yaml"
+    case = wanted.model_dump()
+    study.write_text(yaml.safe_dump({"title": "one", "sweeps": {"cut": {"base": case}}, "figures": {}}))
+    return store, study, keep, drop
+
+
+def gc(store, study, *options):
+    result = CliRunner().invoke(app, ["store", "gc", "--store", str(store.root), "--study", str(study), *options])
+    assert result.exit_code == 0, result.output
+    return result
+
+
+def test_gc_removes_what_no_case_of_the_study_wants(shelf):
+    store, study, keep, drop = shelf
+    gc(store, study)
+    assert all(path.exists() for path in keep)
+    assert not any(path.exists() for path in drop)
+
+
+def test_gc_on_trial_names_files_and_leaves_them(shelf):
+    store, study, keep, drop = shelf
+    result = gc(store, study, "--dry-run")
+    named = set(result.output.split())
+    assert {str(path) for path in drop} <= named
+    assert not named & {str(path) for path in keep}
+    assert all(path.exists() for path in (*keep, *drop))
