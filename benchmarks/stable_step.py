@@ -44,7 +44,7 @@ MPM = {
     "support 0.25": {"support": 0.25},
     "loop of the paper's program, PIC": PAPER,
     "the same, 90 % FLIP": {**PAPER, "flip": 0.9},
-    "Poisson's ratio 0.49": {"modulus_bulk": "16.7 GPa", "modulus_shear": "336 MPa"},
+    "Poisson's ratio 0.49": {"modulus_bulk": "16 GPa", "modulus_shear": "336 MPa"},
     "stiff interface": {"strength": "160 MPa", "toughness": "200 J/m^2"},
     "one point a cell": {"points_per_cell": 1},
     "four points a cell": {"points_per_cell": 4, "points_per_depth": 8},
@@ -62,7 +62,13 @@ DEM = {
     "size ratio 4": {"packing.radius_ratio": 4.0, "damping": 0.0},
 }
 STRIP = {"points_per_depth": 6, "length_ratio": 6.0, "travel_ratio": 3.0, "window_ratio": 1.0}
-BLOCK = {"packing.width": "0.25 mm", "packing.height": "0.25 mm", "cut_depth": "0.06 mm", "cut_speed": "5 m/s", "travel": "0.15 mm"}
+BLOCK = {
+    "packing.width": "0.25 mm",
+    "packing.height": "0.25 mm",
+    "cut_depth": "0.06 mm",
+    "cut_speed": "5 m/s",
+    "travel": "0.15 mm",
+}
 UNBREAKABLE = {"strength_tensile": "1 TPa", "cohesion": "1 TPa"}
 HEADER = [
     "solver", "variant", "default step over the estimate [-]", "largest stable one, shaken [-]",

@@ -10,7 +10,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import LogLocator
 
 from orthocut.figures.canvas import PAGE, nothing, page, styled
 from orthocut.figures.confidence import Interval, interval
@@ -36,9 +36,9 @@ __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 CAPTION = (
     "Mean cutting force (filled) and thrust force (open) of cuts of glass over the speed of the tool, the local "
     "damping, the smallest radius of the discs and the time step; runs of a series differ in nothing else but the "
-    "packing. Then the means of the first replicates over their number, with the band of 10 % around the mean of all, "
-    "and means over the travel up to a place. Bars: 95 % confidence intervals by Student's t. The table compares each "
-    "value with the reference of its series packing by packing."
+    "packing. Bars: 95 % confidence intervals by Student's t. Then the half-width of such an interval over the mean, "
+    "for the first packings, with the 10 % that are wanted; and means over the travel up to a place. The table "
+    "compares each value with the reference of its series packing by packing."
 )
 DIMS = ("sample",)
 PANELS = (
@@ -47,13 +47,19 @@ PANELS = (
     ("packing_radius_min", "smallest radius $R_{min}$ [µm]", 0.0),
     ("joint_time_step_factor", "time step factor [-]", 0.0),
 )
-"""Fields, labels, and the value to compare with: the nearest one is the reference of a series."""
+"""Fields, labels, and the value to compare with: the nearest one of `KNOWN` packings is the reference of a series."""
+KNOWN = 4
+"""Fewest packings of a reference, where a series has such a value."""
 LOGARITHMIC = frozenset({"cut_speed"})
+WANTED = 0.1
+"""Half-width of the interval of a mean over the mean that is wanted."""
 MARKERS = "osD^v"
 CUTS = (GREEN, SKY, PURPLE, AMBER)
 """Colours of the cuts of the paper, by depth of cut and surface."""
 ROOM = 2.2
 """Top of an axis over the largest mean: intervals of few packings may be longer."""
+CONDITION = ("cut_depth", "grooved")
+"""Fields that the words for a cut name."""
 LEAST, DRAWN = 2, 3
 """Fewest values of a series in the table, and of one that is drawn where there is another."""
 
@@ -114,16 +120,18 @@ def _field(ax: Axes, cuts: Sequence[GlassRun], field: str) -> None:
 
 
 def _names(groups: Sequence[dict[float, list[GlassRun]]], field: str) -> list[str]:
-    """What tells series apart; nothing for a single one."""
+    """What tells series apart, beside the depth of cut and the surface; nothing for a single one."""
     fields = [dict(parameters(next(iter(group.values()))[0].case)) for group in groups]
-    names = [name for name in (fields[0] if fields else ()) if name not in (field, "seed")]
+    names = [name for name in (fields[0] if fields else ()) if name not in (field, "seed", *CONDITION)]
     differ = [name for name in names if len({one.get(name) for one in fields}) > 1]
-    return [
-        ", ".join(
-            f"{VARIABLES[name].long_name} {one[name] * VARIABLES[name].scale:g}" for name in differ if name in one
-        )
-        for one in fields
-    ]
+    return [", ".join(_valued(name, one[name]) for name in differ if name in one) for one in fields]
+
+
+def _valued(name: str, value: float) -> str:
+    """A field with its value and unit."""
+    variable = VARIABLES[name]
+    unit = variable.display or variable.unit
+    return f"{variable.long_name} {value * variable.scale:g}{'' if unit == '1' else f' {unit}'}"
 
 
 def _name(ax: Axes, group: dict[float, list[GlassRun]], field: str, name: str) -> None:
@@ -135,25 +143,23 @@ def _name(ax: Axes, group: dict[float, list[GlassRun]], field: str, name: str) -
 
 
 def _replicates(ax: Axes, found: dict) -> None:
-    """Mean of the first replicates over that of all, with its interval."""
-    ax.axhspan(0.9, 1.1, color="0.93", zorder=0)
-    ax.axhline(1.0, color=BLACK, lw=0.6)
-    most = 2
-    for shift, ((_, runs), colour) in enumerate(zip(found.items(), CUTS, strict=False)):
+    """Half-width of the interval of the first replicates over their mean, against their number."""
+    ax.axhline(100 * WANTED, color=BLACK, lw=0.6, ls="--")
+    most = 3
+    for (_, runs), colour in zip(found.items(), CUTS, strict=False):
         values = forces(runs, FORCES[0])
-        if len(values) < 2:
-            continue
         most = max(most, len(values))
-        mean = float(np.mean(values))
-        known = [interval(values[:count]) for count in range(2, len(values) + 1)]
-        places = np.arange(2, len(values) + 1) + 0.12 * (shift - 1.5)
-        ratios, bars = [one.mean / mean for one in known], [one.half / mean for one in known]
-        ax.errorbar(places, ratios, yerr=bars, fmt=".-", color=colour, capsize=1.5, elinewidth=0.6, lw=0.8)
-    ax.set_xlim(1.5, most + 0.5)
-    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
-    ax.set_ylim(0, 2.5)
+        counts = range(LEAST + 1, len(values) + 1)
+        ax.plot(counts, [100 * interval(values[:count]).relative for count in counts], color=colour)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlim(LEAST + 1, most)
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_locator(LogLocator(10, (1, 2, 5)))
+        axis.set_major_formatter("{x:g}")
+    ax.minorticks_off()
     ax.set_xlabel("number of packings [-]")
-    ax.set_ylabel("main force over mean of all [-]")
+    ax.set_ylabel("half-width of main force [%]")
 
 
 def _travel(ax: Axes, found: dict) -> None:
@@ -173,17 +179,19 @@ def _travel(ax: Axes, found: dict) -> None:
 
 def tabulate(dataset: xr.Dataset) -> Table:
     """Means of each value of a field, and the change against the reference, packing by packing."""
-    header = ["field", "unit", "cut", "value", "packings", "force", "mean [N/mm]", "95 % half-width [N/mm]"]
+    header = ["field", "unit", "cut", "series", "value", "packings", "force", "mean [N/mm]", "95 % half-width [N/mm]"]
     header += ["against", "change, same packings [%]", "95 % half-width [%]"]
     cuts, rows = cuts_of(dataset), []
     for field, _, wanted in PANELS:
         variable = VARIABLES[field]
-        for group in along(cuts, field, LEAST):
-            reference = min(group, key=lambda value: abs(value - wanted))
+        groups = along(cuts, field, LEAST)
+        for group, series in zip(groups, _names(groups, field), strict=True):
+            many = [value for value, runs in group.items() if len(runs) >= KNOWN] or list(group)
+            reference = min(many, key=lambda value: abs(value - wanted))
             for value, runs in group.items():
                 for name in FORCES:
                     known, change = interval(forces(runs, name)), changes(runs, group[reference], name)
-                    first = [variable.long_name, variable.display or variable.unit, words(condition(runs[0]))]
+                    first = [variable.long_name, variable.display or variable.unit, words(condition(runs[0])), series]
                     rows.append(
                         [
                             *(*first, value * variable.scale, known.count, NAMES[name], known.mean, known.half),
