@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import math
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -127,10 +128,11 @@ def shaken_dem(values: Mapping[str, Any], factor: float) -> bool:
     return True
 
 
-def cut(base: Mapping[str, Any], kind: str, values: Mapping[str, Any], factor: float) -> bool:
+def cut(solver: str, values: Mapping[str, Any], factor: float) -> bool:
     """Whether a short cut reaches its end."""
+    base = STRIP if solver == "mpm" else BLOCK
     try:
-        run_case(with_step(load(kind, {**base, **values}), factor), snapshots=0)
+        run_case(with_step(load(solver, {**base, **values}), factor), snapshots=0)
     except Diverged:
         return False
     return True
@@ -152,9 +154,9 @@ def main() -> None:
     rows = []
     jobs = [("mpm", *item) for item in MPM.items()] + [("dem", *item) for item in DEM.items()]
     for solver, name, values in track(jobs, "measuring", console=Console(stderr=True)):
-        shaken, base = (shaken_mpm, STRIP) if solver == "mpm" else (shaken_dem, BLOCK)
+        shaken = shaken_mpm if solver == "mpm" else shaken_dem
         used = load("mpm").numerics.courant if solver == "mpm" else load("dem").joint.time_step_factor
-        limits = [largest(lambda f, v=values: shaken(v, f)), largest(lambda f, v=values: cut(base, solver, v, f))]
+        limits = largest(partial(shaken, values)), largest(partial(cut, solver, values))
         rows.append([solver, name, used, *limits, *(limit / used for limit in limits)])
     write_table(HEADER, rows, options.output)
 

@@ -100,8 +100,8 @@ ENERGIES = ("elastic", "plastic", "kinetic", "cohesive", "friction", "contact", 
 def _momentum(case: Case, run: xr.Dataset) -> float:
     """Way of the mass centre after the ramp less that by the forces of tool and clamp, over that by the tool's alone.
 
-    The speed at the end of the ramp is not known; it is fitted. Where the tool hardly pushes along an axis, a thousandth
-    of its way by the larger of its forces is the measure: a way of next to nothing tells nothing.
+    The speed at the end of the ramp is not known; it is fitted. Where the tool hardly pushes along an axis, the measure
+    is a thousandth of the way by the larger of its forces: a way of next to nothing tells nothing.
     """
     times = run["time_snapshot"].values
     after = times > case.numerics.ramp_fraction * case.duration
