@@ -20,6 +20,8 @@ CAPTION = (
 )
 DIMS = ()
 PAPER = 3.0
+ROOM = 1.2
+"""Top of the axis over the largest force: forces that hardly differ would else lie on its edge."""
 
 
 @styled
@@ -41,7 +43,7 @@ def draw(dataset: xr.Dataset) -> Figure:
             ax.plot([], [], "o", color=colour, label=name)
     ax.axvline(PAPER, color="0.7", lw=0.6, zorder=1)
     ax.set_xlim(left=0)
-    ax.set_ylim(bottom=0)
+    ax.set_ylim(0, ROOM * ax.get_ylim()[1])
     handles = ax.get_legend_handles_labels()[0]
     figure.legend(handles=handles + state_handles(), loc="outside upper center", ncols=2)
     return figure
