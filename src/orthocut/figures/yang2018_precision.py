@@ -1,4 +1,4 @@
-"""Error of the mean forces of cuts of glass against their cost: speed, damping, discs, time step and replicates."""
+"""Error of the mean forces of cuts of glass against cost: speed, damping, discs, time step, block, replicates."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from orthocut.cost import estimate_seconds
 from orthocut.figures.canvas import PAGE, nothing, page, styled
 from orthocut.figures.confidence import Interval, interval, quantile
 from orthocut.figures.extrapolation import extrapolate
-from orthocut.figures.palette import AMBER, BLUE, GREY, ORANGE, PURPLE
+from orthocut.figures.palette import AMBER, BLUE, GREEN, GREY, ORANGE, PURPLE
 from orthocut.figures.precision import Reference, Setting, draw_settings, handles
 from orthocut.figures.tables import Table
 from orthocut.figures.yang2018_paper import FORCES, NAMES, words
@@ -41,6 +41,7 @@ FIELDS = {
     "joint_damping": "damping",
     "packing_radius_min": "size of the discs",
     "joint_time_step_factor": "time step",
+    "packing_height": "height of the block",
 }
 SEVERAL = "several together"
 KNOBS = {
@@ -48,6 +49,7 @@ KNOBS = {
     "damping": ("X", GREY),
     "size of the discs": ("s", ORANGE),
     "time step": ("v", AMBER),
+    "height of the block": ("D", GREEN),
     SEVERAL: ("h", PURPLE),
 }
 """Knob to marker and colour."""
