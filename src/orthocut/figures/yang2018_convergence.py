@@ -145,7 +145,7 @@ def _name(ax: Axes, group: dict[float, list[GlassRun]], field: str, name: str) -
 def _replicates(ax: Axes, found: dict) -> None:
     """Half-width of the interval of the first replicates over their mean, against their number."""
     ax.axhline(100 * WANTED, color=BLACK, lw=0.6, ls="--")
-    most = 3
+    most = LEAST + 2
     for (_, runs), colour in zip(found.items(), CUTS, strict=False):
         values = forces(runs, FORCES[0])
         most = max(most, len(values))
