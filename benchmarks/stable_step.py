@@ -60,7 +60,7 @@ DEM = {
     "four elements": {"elements": 4, "damping": 0.0},
     "faces half as long": {"radius_multiplier": 0.5, "damping": 0.0},
     "equal discs": {"packing.radius_ratio": 1.0, "damping": 0.0},
-    "size ratio 4": {"packing.radius_ratio": 4.0, "damping": 0.0},
+    "size ratio 4": {"packing.radius_ratio": 4.0, "packing.radius_min": "4 um", "damping": 0.0},
 }
 STRIP = {"points_per_depth": 6, "length_ratio": 6.0, "travel_ratio": 3.0, "window_ratio": 1.0}
 BLOCK = {
