@@ -11,12 +11,13 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 from rich.console import Console
 from rich.progress import track
 from tables import write_table
@@ -24,6 +25,9 @@ from tables import write_table
 from orthocut.dem.packing import pack
 from orthocut.dem.setup import build
 from orthocut.dem.solver import DONE, advance
+from orthocut.figures.canvas import PAGE, page, styled
+from orthocut.figures.palette import BLACK, BLUE, ORANGE
+from orthocut.figures.save import save
 from orthocut.kernels.mpm import layout, step
 from orthocut.measure.dem_energy import energies
 from orthocut.measure.guard import Diverged
@@ -71,6 +75,7 @@ BLOCK = {
     "travel": "0.15 mm",
 }
 UNBREAKABLE = {"strength_tensile": "1 TPa", "cohesion": "1 TPa"}
+NAMES = {"mpm": "ductile cuts (MPM)", "dem": "bonded discs (DEM)"}
 HEADER = [
     "solver", "variant", "default step over the estimate [-]", "largest stable one, shaken [-]",
     "largest stable one, cut [-]", "margin, shaken [-]", "margin, cut [-]",
@@ -146,7 +151,7 @@ def with_step(case: Case, factor: float) -> Case:
 
 
 def main() -> None:
-    """Measure all variants and write a table."""
+    """Measure all variants; write a table and a picture."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", type=Path, default=Path("results/benchmarks/stable_step.csv"))
     options = parser.parse_args()
@@ -159,6 +164,27 @@ def main() -> None:
         limits = largest(partial(shaken, values)), largest(partial(cut, solver, values))
         rows.append([solver, name, used, *limits, *(limit / used for limit in limits)])
     write_table(HEADER, rows, options.output)
+    save(draw(rows), options.output.with_suffix(".png"))
+
+
+@styled
+def draw(rows: Sequence[Sequence[Any]]) -> Figure:
+    """Margin of the default step, by variant of each solver."""
+    counts = [sum(row[0] == solver for row in rows) for solver in NAMES]
+    figure = page(0.17 * sum(counts) + 1.4, PAGE)
+    panels = figure.subplots(2, 1, sharex=True, height_ratios=counts)
+    for ax, (solver, title) in zip(panels, NAMES.items(), strict=True):
+        own = [row for row in rows if row[0] == solver][::-1]
+        places = range(len(own))
+        ax.plot([row[5] for row in own], places, "o", color=BLUE, label="shaken")
+        ax.plot([row[6] for row in own], places, "D", color=ORANGE, mfc="white", label="cut")
+        ax.set_yticks(places, [row[1] for row in own])
+        ax.set_title(title, loc="left")
+        ax.axvline(1.0, color=BLACK, lw=0.6)
+        ax.set_xlim(left=0)
+    panels[-1].set_xlabel("largest stable step over that of the default case [-]")
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=2)
+    return figure
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ TITLES = {
     "roofline": "What bounds a step",
     "setup_cost": "Set-up",
     "cost_store": "Predicted and measured run times",
+    "stable_step": "Largest stable steps",
     "stress": "Random scenes",
     "workflow": "Cost of the workflow beside the simulations",
     "checkpoints": "Checkpoints",
