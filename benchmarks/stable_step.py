@@ -58,13 +58,13 @@ DEM = {
     "default (damping 0.7)": {},
     "no damping": {"damping": 0.0},
     "damping 0.1": {"damping": 0.1},
-    "stiffness ratio 1": {"stiffness_ratio": 1.0, "damping": 0.0},
-    "stiffness ratio 10": {"stiffness_ratio": 10.0, "damping": 0.0},
-    "one element": {"elements": 1, "damping": 0.0},
-    "four elements": {"elements": 4, "damping": 0.0},
-    "faces half as long": {"radius_multiplier": 0.5, "damping": 0.0},
-    "equal discs": {"packing.radius_ratio": 1.0, "damping": 0.0},
-    "size ratio 4": {"packing.radius_ratio": 4.0, "packing.radius_min": "4 um", "damping": 0.0},
+    "stiffness ratio 1": {"stiffness_ratio": 1.0},
+    "stiffness ratio 10": {"stiffness_ratio": 10.0},
+    "one element": {"elements": 1},
+    "four elements": {"elements": 4},
+    "faces half as long": {"radius_multiplier": 0.5},
+    "equal discs": {"packing.radius_ratio": 1.0},
+    "size ratio 4": {"packing.radius_ratio": 4.0, "packing.radius_min": "4 um"},
 }
 STRIP = {"points_per_depth": 6, "length_ratio": 6.0, "travel_ratio": 3.0, "window_ratio": 1.0}
 BLOCK = {
@@ -73,6 +73,7 @@ BLOCK = {
     "cut_depth": "0.06 mm",
     "cut_speed": "5 m/s",
     "travel": "0.15 mm",
+    "time_step_factor": 0.1,
 }
 UNBREAKABLE = {"strength_tensile": "1 TPa", "cohesion": "1 TPa"}
 NAMES = {"mpm": "ductile cuts (MPM)", "dem": "bonded discs (DEM)"}

@@ -5,6 +5,7 @@ These checks only refuse; they change no number of a case that passes.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -12,7 +13,7 @@ from orthocut.params.size import particles, steps
 
 if TYPE_CHECKING:
     from orthocut.params.case import Case
-    from orthocut.params.dem import DemCutting, Packing
+    from orthocut.params.dem import DemCutting, FlatJoint, Packing
 
 MAX_PARTICLES = 5_000_000
 """Most material points or discs: some 40 GB of memory."""
@@ -33,6 +34,7 @@ def faults(case: Case) -> list[str]:
 def _grains(case: Case) -> Iterator[str]:
     if case.kind.startswith("dem"):
         yield from _vessel(case.packing)
+        yield from _step(case.joint)
     if case.kind == "dem_cutting":
         yield from _cut(case)
 
@@ -46,6 +48,27 @@ def _vessel(packing: Packing) -> Iterator[str]:
                 f"packing.{name} = {_mm(size)} holds too few discs side by side "
                 f"(allowed: {_mm(least)} or more, {MIN_GRAINS} of the largest)"
             )
+
+
+def _step(joint: FlatJoint) -> Iterator[str]:
+    limit = largest_step_factor(joint.stiffness_ratio, joint.damping)
+    if _less(limit, joint.time_step_factor):
+        yield (
+            f"joint.time_step_factor = {joint.time_step_factor:g} is unstable with stiffness_ratio = "
+            f"{joint.stiffness_ratio:g} and damping = {joint.damping:g} "
+            f"(allowed: up to {math.floor(100 * limit) / 100:g})"
+        )
+
+
+def largest_step_factor(stiffness_ratio: float, damping: float) -> float:
+    """Largest stable time step over sqrt(mass/(modulus x width)) of equal discs, each joined to six others.
+
+    Where all discs turn the same way, each joint shears by the full rotation: omega^2 = 24/stiffness_ratio in units of
+    modulus x width/mass. Where rows move against each other it is 6 and a share of the shear stiffness, with rotations
+    7/stiffness_ratio by measurement. Discs of unequal size stand some 15 % more (benchmarks/stable_step.py).
+    """
+    squared = max(24.0 / stiffness_ratio, 6.0 + 7.0 / stiffness_ratio)
+    return 2.0 / math.sqrt(squared * (1.0 + damping))
 
 
 def _cut(case: DemCutting) -> Iterator[str]:

@@ -27,6 +27,8 @@ def test_the_smallest_and_the_default_case_are_within_limits(kind):
         ("dem_tension", {"packing.width": "79 um"}, r"width = 0.079 mm holds too few discs .*\(allowed: 0.08 mm or"),
         ("dem_compression", {"radius_min": "10 mm"}, "packing.height = 2 mm holds too few discs side by side"),
         ("dem", {"radius_min": "0.1 um"}, r"packing.radius_min give 2.*e[+]07 discs \(allowed: up to 5e[+]06\)"),
+        ("dem", {"stiffness_ratio": 1.0}, r"factor = 0.5 is unstable with .* damping = 0.7 \(.*up to 0.31\)"),
+        ("dem_tension", {"time_step_factor": 0.54}, r"time_step_factor = 0.54 is unstable .* \(allowed: up to 0.53\)"),
         ("mpm", {"points_per_depth": 60, "length_ratio": 200, "base_ratio": 20}, r"give 1.51e[+]07 material points"),
         ("dem_compression", {"grip_speed": "0.02 mm/min", "strain_max": 0.2}, r"discs for 6.03e[+]11 steps = "),
         ("mpm", {"points_per_depth": 60, "strength": "400 MPa", "toughness": "1 J/m^2", "cut_speed": "0.05 m/s",
