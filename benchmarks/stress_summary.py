@@ -31,6 +31,7 @@ GUARDS = (
     ("less than a grain", "cut thinner than a grain"),
     ("less than half a grain", "groove or wall thinner than half a grain"),
     ("takes .* steps", "too few steps"),
+    ("is unstable with", "unstable time step"),
     ("fraction_slit", "fractions of joints"),
     ("did not settle|pressure over modulus", "packing does not get there"),
     ("packing of .* diverged|fewer than two discs", "packing does not get there"),

@@ -168,7 +168,7 @@ def test_largest_step_factor_is_that_of_a_hexagonal_lattice(ratio):
     """Exact for ratios of 1 and 2, 2/sqrt(24/ratio): all discs turn the same way. Others have up to 4 % to spare."""
     row, column = np.divmod(np.arange(900), 30)
     x, y = 2 * R * (column + 0.5 * (row % 2)), math.sqrt(3) * R * row
-    limit = largest_step_factor(ratio, 0.0)
+    limit = largest_step_factor(ratio, 0.0, 1.0)
     grown = {}
     for share in (0.98, 1.06):
         law = joint(damping=0.0, stiffness_ratio=ratio, time_step_factor=share * limit)
