@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from typing import Any
 
 import numpy as np
@@ -23,12 +22,11 @@ from orthocut.variables import VARIABLES
 __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 
 CAPTION = (
-    "Ductile cuts with extreme parameters, one row a cut, named by what differs from the reference, which has the "
-    "commonest value of each parameter. Left: share of the tool's work that contact and the transfers between "
-    "points and grid have lost at the end; below zero, they made energy. Right: share of that work that the energy "
-    "balance does not account for. Vertical lines: the shares at which a run stops. Open symbols: the tool touches "
-    "the crack tip; filled: the chip bends. Crosses: runs that failed, with their reasons in the table, which also "
-    "holds the forces."
+    "Ductile cuts with extreme parameters, one row a cut, named by all parameters that vary. Left: share of the tool's "
+    "work that contact and the transfers between points and grid have lost at the end; below zero, they made energy. "
+    "Right: share of that work that the energy balance does not account for. Vertical lines: the shares at which a run "
+    "stops. Open symbols: the tool touches the crack tip; filled: the chip bends. Crosses: failed runs, whose "
+    "reasons are in the table, which also holds the forces."
 )
 DIMS = ()
 STOPS = 5.0
@@ -60,7 +58,7 @@ def draw(dataset: xr.Dataset) -> Figure:
         return figure
 
     for ax, (text, name) in zip(panels, PANELS, strict=True):
-        ax.set_xlabel(text)
+        ax.set_xlabel(text.removeprefix("work "))
         ax.axvline(0, color="0.4", lw=0.6, zorder=1)
         for row, run in enumerate(runs):
             share = 100.0 * float(run[name]) if name in run else math.nan
@@ -97,28 +95,21 @@ def tabulate(dataset: xr.Dataset) -> Table:
 
 
 def names(runs: list[xr.Dataset]) -> list[str]:
-    """What differs from the commonest value of each varied parameter."""
-    said = [[words(name, value) for _, name, value in differing] for differing in _differing(runs)]
-    return [", ".join(filter(None, texts)) or "reference" for texts in said]
+    """Values of all parameters that vary."""
+    varied = _varied(runs)
+    fields = [parameters(case_of(run)) for run in runs]
+    return [", ".join(filter(None, (words(name, one[name]) for name in varied))) for one in fields]
 
 
 def _cuts(dataset: xr.Dataset) -> list[xr.Dataset]:
-    """Ductile cuts, failed ones too; first those in which few parameters differ from their commonest values."""
+    """Ductile cuts, failed ones too, in the order of their parameters."""
     if "case" not in dataset.dims:
         return [dataset] if dataset.attrs.get("kind") == "mpm_cutting" else []
     runs = [dataset.isel(case=index) for index in range(dataset.sizes["case"])]
     runs = [run for run in runs if run["kind"].item() == "mpm_cutting"]
-    order = [(len(differing), differing) for differing in _differing(runs)]
-    return [run for _, run in sorted(zip(order, runs, strict=True), key=lambda pair: pair[0])]
-
-
-def _differing(runs: list[xr.Dataset]) -> list[list[tuple[int, str, Any]]]:
-    """Place, name and value of the parameters of each run that differ from the commonest value."""
     fields = [parameters(case_of(run)) for run in runs]
-    usual = [(name, Counter(one[name] for one in fields).most_common(1)[0][0]) for name in _varied(runs)]
-    return [
-        [(place, name, one[name]) for place, (name, value) in enumerate(usual) if one[name] != value] for one in fields
-    ]
+    order = [[one[name] for name in _varied(runs)] for one in fields]
+    return [run for _, run in sorted(zip(order, runs, strict=True), key=lambda pair: pair[0])]
 
 
 def _varied(runs: list[xr.Dataset]) -> list[str]:
