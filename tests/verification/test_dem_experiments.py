@@ -26,7 +26,7 @@ def simulate(kind, **values):
 
 
 def simulate_unstable(kind, **values):
-    """Run with twice the step that a case may ask for."""
+    """Run with a step that a case may not ask for."""
     case = load(kind, values)
     joint = case.joint.model_copy(update={"time_step_factor": 1.0})
     return EXPERIMENTS[kind].simulate(case.model_copy(update={"joint": joint}), lambda fraction: None)
