@@ -53,6 +53,26 @@ def test_blocks_that_are_torn_apart_pay_the_toughness_for_the_area(angle, suppor
     assert abs(blocks.momentum).max() < 1e-9 * speed * blocks.mass.sum()
 
 
+def test_pair_without_material_around_a_copy_pulls_on_nothing():
+    """Exact: forces of an interface have no sum; a pair beyond the end of the chip fails, the others hold."""
+    blocks = Bodies(
+        rectangle(0, 6, 0, 3, CELL),
+        rectangle(0, 12, -3, 0, CELL),
+        cell=CELL,
+        pairs_at=np.array([1.5, 3.5, 9.5]) * CELL,
+        cohesion=Cohesion(Cubic(1e-4, 40e6), Area()),
+    )
+    blocks.set_velocity(lambda x, y: (0 * x, 0.1 + 0 * y), lambda x, y: (0 * x, -0.1 + 0 * y))
+    before = blocks.momentum
+    blocks.run(50)
+    pairs = blocks.state.interface
+    assert pairs[interface.ALIVE].tolist() == [1, 1, 0]
+    assert pairs[interface.TRACTION_Y, :2].min() > 1e4
+    change = abs(blocks.momentum - before).max() / (0.1 * blocks.mass.sum())
+    print(f"momentum changes by {change:.1e} of that of a block")
+    assert change < 1e-5
+
+
 THICK, NOTCH, LENGTH, TOUGH, STRONG = 4e-3, 20e-3, 56e-3, 1000.0, 20e6
 STIFF = YOUNG_PLANE * THICK**3 / 12
 MOMENT = math.sqrt(TOUGH * STIFF)

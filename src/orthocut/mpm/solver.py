@@ -76,7 +76,8 @@ class Solver:
         state = self.state
         tip = state.totals[step.TIP]
         state.totals[step.RESTED] = tip
-        rest.follow_tool(
+        rest.wake_ahead(state.points, state.blocks, self._awake, tip, state.frame)
+        rest.rest_behind(
             state.points,
             state.blocks,
             state.interface[interface.UPPER_X],

@@ -4,7 +4,8 @@ Pairs of massless copies stand along the cutting path; the upper copy moves with
 both with the mass-weighted velocity of the four nodes around them. Weights by mass bound the stiffness that a pair
 gives to a node by the mass of the node: weights by distance alone let nodes of little mass vibrate until the interface
 breaks far from the tool. The opening is upper minus lower. A pair that has failed carries no traction, but keeps chip
-and base from running into each other as long as it is ahead of the tool.
+and base from running into each other as long as it is ahead of the tool. A pair that has no material around one of its
+copies, as where a chip tears, has nothing to pull on: it fails, and neither time nor mode of this are logged.
 """
 
 import math
@@ -57,6 +58,13 @@ def _weights(grid, x, y, frame):
     total = w00 + w10 + w01 + w11
     scale = 1.0 / total if total > 0.0 else 0.0
     return at, above, w00 * scale, w10 * scale, w01 * scale, w11 * scale
+
+
+@part
+def _is_bare(grid, x, y, frame):
+    """Whether no node around a place has mass."""
+    _, _, w00, w10, w01, w11 = _weights(grid, x, y, frame)
+    return w00 + w10 + w01 + w11 == 0.0
 
 
 @part
@@ -146,6 +154,11 @@ def pull_together(interface, first, chip, base, closing, closing_normal, closing
             if normal > frame.cell or min(interface[UPPER_X, k], interface[LOWER_X, k]) > tip:
                 interface[PRESENT, k] = 0.0
                 continue
+        elif _is_bare(chip, interface[UPPER_X, k], interface[UPPER_Y, k], frame) or _is_bare(
+            base, interface[LOWER_X, k], interface[LOWER_Y, k], frame
+        ):
+            interface[ALIVE, k] = interface[TRACTION_X, k] = interface[TRACTION_Y, k] = 0.0
+            continue
         else:
             peak_normal, peak_tangent, one, two, failed = damage(
                 criterion, law, max(normal, 0.0), abs(tangent), interface[PEAK_NORMAL, k], interface[PEAK_TANGENT, k]

@@ -30,8 +30,24 @@ def _ends(points, block):
 
 
 @jit
-def follow_tool(points, blocks, upper_x, awake, free, tip, frame):
-    """Wake what the tool comes near to, put to sleep what it has left behind, and hold the nodes at both seams.
+def wake_ahead(points, blocks, awake, tip, frame):
+    """Wake the blocks that the tool comes near to, before points move.
+
+    Parameters
+    ----------
+    points, blocks, awake, tip, frame
+        See `rest_behind`.
+    """
+    for body in (CHIP, BASE):
+        while awake[body, 0] > blocks[body, 0] and _ends(points, awake[body, 0] - 1)[1] > tip - frame.reach:
+            awake[body, 0] -= 1
+
+
+@jit
+def rest_behind(points, blocks, upper_x, awake, free, tip, frame):
+    """Put to sleep what the tool has left behind, and hold the nodes at both seams, after points have moved.
+
+    The nodes hold the momentum of points that go to sleep by then; those that are held from now on pass it to the clamp.
 
     Parameters
     ----------
@@ -52,14 +68,12 @@ def follow_tool(points, blocks, upper_x, awake, free, tip, frame):
     """
     for body in (CHIP, BASE):
         first, last = awake[body, 0], awake[body, 1]
-        while first > blocks[body, 0] and _ends(points, first - 1)[1] > tip - frame.reach:
-            first -= 1
         while body == BASE and last > first + 1 and _ends(points, last - 1)[0] > tip + BEHIND * frame.reach:
             last -= 1
             for lane in range(last * BLOCK, last * BLOCK + LANES):
                 points[lane + VX * LANES] = 0.0
                 points[lane + VY * LANES] = 0.0
-        awake[body, 0], awake[body, 1] = first, last
+        awake[body, 1] = last
         free[body, 0], free[body, 1] = 0, frame.count_x - 1
         if first > blocks[body, 0]:
             end = (_ends(points, first - 1)[1] - frame.origin_x) * frame.inv_cell

@@ -14,7 +14,7 @@ from orthocut.kernels.mpm.grid import clear_grid, join_bodies, update_grid, work
 from orthocut.kernels.mpm.interface import UPPER_X, lost_in_closing, move_pairs, pull_together, push_apart, set_normals
 from orthocut.kernels.mpm.layout import BASE, CHIP
 from orthocut.kernels.mpm.points import advance_points
-from orthocut.kernels.mpm.rest import PAIRS, follow_tool
+from orthocut.kernels.mpm.rest import PAIRS, rest_behind, wake_ahead
 from orthocut.kernels.mpm.support import follow_firm_nodes, lean_on_firm_nodes, work_of_loose_forces
 
 # totals since the start
@@ -163,9 +163,11 @@ def run_steps(
             work += work_of_loose_forces(grid, grid_before, loose, weights, count, frame)
 
         totals[COHESIVE] += move_pairs(interface, awake[PAIRS, 0], chip, base, frame)
-        if totals[RESTED] - totals[TIP] > frame.cell:
-            totals[RESTED] = totals[TIP]
-            follow_tool(points, blocks, interface[UPPER_X], awake, free, totals[TIP], frame)
+        tip = totals[TIP]
+        passed = totals[RESTED] - tip > frame.cell
+        if passed:
+            totals[RESTED] = tip
+            wake_ahead(points, blocks, awake, tip, frame)
         kinetic = 0.0
         for body in (CHIP, BASE):
             clear_grid(grids[body, 1 - current], extents[body, 1 - current], frame)
@@ -180,6 +182,8 @@ def run_steps(
                 frame,
                 frame.time_step,
             )
+        if passed:
+            rest_behind(points, blocks, interface[UPPER_X], awake, free, tip, frame)
         totals[NUMERICAL] += totals[KINETIC] - kinetic + work
         totals[KINETIC] = kinetic
         totals[TIP] -= frame.time_step * speed

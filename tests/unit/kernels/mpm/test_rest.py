@@ -7,7 +7,7 @@ import pytest
 
 from orthocut.kernels.mpm import layout
 from orthocut.kernels.mpm.frame import Frame
-from orthocut.kernels.mpm.rest import AWAKE, BEHIND, PAIRS, follow_tool
+from orthocut.kernels.mpm.rest import AWAKE, BEHIND, PAIRS, rest_behind, wake_ahead
 from orthocut.kernels.mpm.shape import nearest_node
 from orthocut.mpm.setup import fill_blocks
 
@@ -33,7 +33,8 @@ class Strip:
         assert self.awake.shape[0] == AWAKE
 
     def follow(self, tip):
-        follow_tool(self.points, self.blocks, self.pairs, self.awake, self.free, tip, self.frame)
+        wake_ahead(self.points, self.blocks, self.awake, tip, self.frame)
+        rest_behind(self.points, self.blocks, self.pairs, self.awake, self.free, tip, self.frame)
 
     def fields(self, body, asleep):
         """Fields of the points of a body that are asleep or awake, shape (n_blocks, POINT_FIELDS, LANES)."""
