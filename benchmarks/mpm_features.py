@@ -15,7 +15,7 @@ from rich.progress import track
 
 from orthocut.experiments.speed_mpm import bench_mpm
 
-THEIRS = {"scheme": "usavg", "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
+THEIRS = {"scheme": "usavg", "grid_offset": 0.0, "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
 VARIANTS = {
     "default": {},
     "without rest far from the tool": {"reach_ratio": 0.0},

@@ -41,6 +41,7 @@ VARIABLES: dict[str, Variable] = {
     "modulus_tangent": Variable("E_T", "Pa", "tangent modulus", *_MPA),
     "strength": Variable(r"\sigma_c", "Pa", "cohesive stress", *_MPA),
     "points_per_cell": Variable("n_c", "1", "material points along each side of a cell"),
+    "grid_offset": Variable("", "1", "height of the row of nodes next above the cut over the cell size"),
     "points_per_depth": Variable("n", "1", "material points through the depth of cut"),
     "seed": Variable("s", "1", "seed of the packing"),
     "grooved": Variable(r"g", "1", "grooves in the surface (1) or not (0)"),

@@ -10,7 +10,7 @@ from orthocut.mpm import setup
 from orthocut.mpm.solver import Solver
 from orthocut.params.case import load
 
-PAPER = {"scheme": "usavg", "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
+PAPER = {"scheme": "usavg", "grid_offset": 0.0, "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
 SHORT = {"points_per_depth": 4, "length_ratio": 8.0, "travel_ratio": 4.0, "window_ratio": 2.0}
 
 

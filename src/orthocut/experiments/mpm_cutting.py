@@ -206,11 +206,13 @@ def _check(solver: Solver, record: dict[str, float], case: MpmCutting) -> None:
         raise Diverged(f"the chip sinks into the base {when}; try more numerics.points_per_depth")
     if solver.escaped:
         raise Diverged(f"a point crosses the {solver.escaped} edge of the grid {when}; try a smaller travel_ratio")
-    lost = record["energy_residual"] / record["work_tool"] if record["tool_travel"] > case.cut_depth else 0.0
+    if record["tool_travel"] <= case.cut_depth:
+        return
+    lost = record["energy_residual"] / record["work_tool"]
     if abs(lost) > CLOSURE_LIMIT:
         raise Diverged(f"{lost:.0%} of the tool's work is not accounted for {when}; {finer}")
     taken = (record["energy_numerical"] + record["energy_contact"]) / record["work_tool"]
-    if record["tool_travel"] > case.cut_depth and taken < -GAIN_LIMIT:
+    if taken < -GAIN_LIMIT:
         raise Diverged(f"transfers and contact make {-taken:.0%} of the tool's work {when}; {finer}")
 
 

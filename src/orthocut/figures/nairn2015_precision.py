@@ -41,6 +41,7 @@ KNOBS = {
     SIZE: ("o", BLUE),
     "transfers": ("s", ORANGE),
     "points in a cell": ("p", AMBER),
+    "place of the grid": ("H", SKY),
     "nodes of little mass": ("^", GREEN),
     "loop of the paper": ("D", PURPLE),
     "time step": ("v", AMBER),
@@ -57,6 +58,7 @@ FIELDS = {
     "affine": "transfers",
     "flip": "transfers",
     "points_per_cell": "points in a cell",
+    "grid_offset": "place of the grid",
     "support": "nodes of little mass",
     "scheme": "loop of the paper",
     "contact": "loop of the paper",
@@ -73,7 +75,7 @@ FIELDS = {
     "error_target": "length of the average",
 }
 """Field that says how a cut is computed to its knob; all other fields say what is cut."""
-USUAL = {"affine": 1.0, "support": 0.05, "scheme": "consistent", "contact": "exact"}
+USUAL = {"affine": 1.0, "support": 0.05, "grid_offset": 0.25, "scheme": "consistent", "contact": "exact"}
 """Values of the standard setting; those of other fields are the commonest of the scene."""
 WORDS = {
     "reach_ratio": lambda value: f"reach {value:g}" if value else "all of it moves",

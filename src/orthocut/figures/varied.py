@@ -34,6 +34,7 @@ SPECIAL = {
     "stress_yield": _yielding,
     "reach_ratio": lambda value: "" if value in (0.0, 8.0) else f"reach {value:g}",
     "points_per_cell": lambda value: "" if value == 2 else f"{value:g} x {value:g} points a cell",
+    "grid_offset": lambda value: {0.0: "nodes on the cut", 0.25: ""}.get(value, f"nodes {value:g} cells above the cut"),
     "affine": lambda value: "" if value == 1.0 else transfers(value),
     "support": lambda value: {0.0: "no support", 0.05: ""}.get(value, f"support {value:g}"),
     "scheme": lambda value: "paper's loop" if value == "usavg" else "",

@@ -66,7 +66,9 @@ def build(case: MpmCutting) -> State:
 
     room = _ROOM * (case.travel_ratio + case.workpiece.notch_ratio) + 2.0
     beside = above = math.ceil(room * n / per_cell) + 3
-    below = base_rows // per_cell + 3
+    rows = base_rows // per_cell
+    below = rows + 3
+    lift = -case.numerics.grid_offset % 1.0  # what the row of nodes at or next below the cut lies below it, in cells
 
     path = round(case.workpiece.path_ratio * n) or columns
     whole = max(columns - path, 0)
@@ -104,12 +106,12 @@ def build(case: MpmCutting) -> State:
         ),
         frame=Frame(
             origin_x=-beside * cell,
-            origin_y=-below * cell,
+            origin_y=-(below + lift) * cell,
             cell=cell,
             inv_cell=1.0 / cell,
             count_x=beside + columns // per_cell + beside + 1,
             count_y=below + above + 1,
-            last_clamped_row=below - base_rows // per_cell,
+            last_clamped_row=below - rows + round(lift),
             mass_small=_MASS_SMALL * solid.density * cell**2,
             mass_firm=case.numerics.support * solid.density * cell**2,
             time_step=case.time_step,

@@ -39,6 +39,8 @@ class MpmNumerics(Block):
     """Material points through the depth of cut."""
     points_per_cell: Annotated[int, Number(1, 4, integer=True)] = 2
     """Material points along each side of a cell."""
+    grid_offset: Annotated[float, Number(0.0, 0.9)] = 0.25
+    """Height of the row of nodes next above the cut over the cell size; 0 has a row on the cut, as in the paper."""
     courant: Annotated[float, Number(0.01, 1.0)] = 0.5
     """Time step over the time a pressure wave needs for a cell."""
     affine: Annotated[float, Number(0.0, 1.0)] = 1.0

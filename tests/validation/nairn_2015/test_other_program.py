@@ -29,7 +29,7 @@ from orthocut.params.case import load
 
 with open(Path(__file__).with_name("other_program.csv"), encoding="utf-8") as file:
     ROWS = {row["name"]: row for row in csv.DictReader(line for line in file if not line.startswith("#"))}
-PAPER = {"scheme": "usavg", "contact": "cells", "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
+PAPER = {"scheme": "usavg", "contact": "cells", "grid_offset": 0.0, "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
 
 
 def cut(row):
