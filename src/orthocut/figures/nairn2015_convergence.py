@@ -23,7 +23,8 @@ from orthocut.theory import bending, touching
 CAPTION = (
     "Cutting force over particle size; over the share of the velocity gradient that points hand on (0 is PIC, 1 "
     "APIC) and, with the loop of the paper's program, over the share of their own velocity that they keep (0 is "
-    "PIC, 1 FLIP); over the number of points along a side of a cell, at the same size of points; over the Courant "
+    "PIC, 1 FLIP); over the number of points along a side of a cell, at the same size of points; over the height of "
+    "the row of nodes next above the cut, in cells (at 0 it lies on the cut, as in the paper); over the Courant "
     "number, to which the time step is proportional; over the speed of the tool; "
     "over the distance ahead of the tool, in depths of cut, beyond which material rests (at 0 all of it moves); and"
     " over the gain of the feedback damping while the tool speeds up. Runs of a series differ in nothing else. "
@@ -40,13 +41,14 @@ PANELS = (
     ("affine", "share of the gradient [-]", 3),
     ("flip", "share of FLIP [-]", 3),
     ("points_per_cell", "points along a cell $n_c$ [-]", 3),
+    ("grid_offset", "nodes above the cut [cells]", 3),
     ("courant", "Courant number $C$ [-]", 2),
     ("cut_speed", "tool speed $v$ [m/s]", 2),
     ("reach_ratio", "reach of what moves [-]", 3),
     ("ramp_feedback", "feedback [mm$^{-2}$]", 3),
 )
 """Fields, labels and the least number of values of a series."""
-PLACES = "\n".join(["A" * 10 + "B" * 5 + "C" * 5, "".join(4 * letter for letter in "DEFGH")])
+PLACES = "AABCD\nEFGHI"
 MARKERS = "osD^vPX"
 POWERS = ((1.0, "--"), (2.0, ":"))
 
@@ -56,7 +58,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     """One panel for each field."""
     figure = page(5.6, PAGE)
     panels = list(figure.subplot_mosaic(PLACES, sharey=True).values())
-    for ax in (panels[0], panels[3]):
+    for ax in (panels[0], panels[4]):
         ax.set_ylabel("force $F_c/(bG_c)$ [-]")
     scenes: list[tuple] = []
     handles: dict[str, object] = {}

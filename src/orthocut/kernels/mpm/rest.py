@@ -47,7 +47,7 @@ def wake_ahead(points, blocks, awake, tip, frame):
 def rest_behind(points, blocks, upper_x, awake, free, tip, frame):
     """Put to sleep what the tool has left behind, and hold the nodes at both seams, after points have moved.
 
-    The nodes hold the momentum of points that go to sleep by then; those that are held from now on pass it to the clamp.
+    Nodes have the momentum of points that go to sleep by then; those that are held from now on pass it to the clamp.
 
     Parameters
     ----------
