@@ -111,9 +111,9 @@ def tabulate(dataset: xr.Dataset) -> Table:
 
 
 def _name(key: Key, found: dict[Key, dict[int, Transition]]) -> str:
-    """What tells a series from the others."""
+    """What tells a series from the others; methods from that of the series with the most sizes."""
     group, method = key
+    _, usual = max(found, key=lambda other: len(found[other]))
     name = group_name(group, {other: [] for other, _ in found})
-    columns = zip(METHODS, method, zip(*(other for _, other in found), strict=True), strict=True)
-    said = [words(field, value) for field, value, column in columns if len(set(column)) > 1]
+    said = [words(field, value) for field, value, other in zip(METHODS, method, usual, strict=True) if value != other]
     return ", ".join([name, *filter(None, said)])
