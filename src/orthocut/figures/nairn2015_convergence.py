@@ -33,15 +33,16 @@ CAPTION = (
     "least-squares fits of a limit plus slope times size, dashed, and times its square, dotted, with the limits "
     "(diamonds) and their standard errors; how far both limits lie apart says how much the assumed order matters. "
     "No support: nodes of little mass move on their own, as in the paper; dissipated, coupled: other criteria of "
-    "failure than the paper's. Crosses on the axis: failed runs. The table lists all fits beside the models."
+    "failure than the paper's. Crosses on the axis: failed runs. The table lists all fits beside the models, also those of "
+    "other numbers of points along a cell and places of the grid."
 )
 DIMS = ()
 PANELS = (
     ("points_per_depth", "particle size over depth of cut $1/n$ [-]", 3),
     ("affine", "share of the gradient [-]", 3),
     ("flip", "share of FLIP [-]", 3),
-    ("points_per_cell", "points along a cell $n_c$ [-]", 3),
-    ("grid_offset", "nodes above the cut [cells]", 3),
+    ("points_per_cell", "points a side $n_c$ [-]", 3),
+    ("grid_offset", "grid offset [cells]", 3),
     ("courant", "Courant number $C$ [-]", 2),
     ("cut_speed", "tool speed $v$ [m/s]", 2),
     ("reach_ratio", "reach of what moves [-]", 3),
@@ -49,6 +50,8 @@ PANELS = (
 )
 """Fields, labels and the least number of values of a series."""
 PLACES = "AABCD\nEFGHI"
+SHOWN = {"points_per_cell": (2,), "grid_offset": (0.0, 0.25)}
+"""Values of fields with a panel of their own that the first panel shows too; the table has all."""
 MARKERS = "osD^vPX"
 POWERS = ((1.0, "--"), (2.0, ":"))
 
@@ -65,6 +68,8 @@ def draw(dataset: xr.Dataset) -> Figure:
     for ax, (field, text, least) in zip(panels, PANELS, strict=True):
         ax.set_xlabel(text)
         series = series_along(dataset, field, "force_cutting_mean", least=least)
+        if ax is panels[0]:
+            series = [(name, runs) for name, runs in series if _is_shown(runs[0])]
         others = [_others(runs[0], field) for _, runs in series]
         missing = [run for run in failed(dataset, "mpm_cutting") if _others(run, field) in others]
         mark(ax, [_place(run, field) for run in missing])
@@ -110,6 +115,12 @@ def _place(run: xr.Dataset, field: str) -> float:
     """Where a run stands on the axis of a field."""
     value = value_of(run, field)
     return 1.0 / value if field == "points_per_depth" else value
+
+
+def _is_shown(run: xr.Dataset) -> bool:
+    """Whether the first panel shows the series of a run."""
+    numerics = case_of(run).numerics
+    return all(getattr(numerics, field) in values for field, values in SHOWN.items())
 
 
 def _others(run: xr.Dataset, field: str) -> dict[str, Any]:

@@ -59,7 +59,7 @@ def transitions(dataset: xr.Dataset) -> dict[Key, dict[int, Transition]]:
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """One colour a series."""
-    figure = page(2.9)
+    figure = page(3.4)
     ax = figure.subplots()
     ax.set_xlabel("particle size over depth of cut $1/n$ [-]")
     ax.set_ylabel("depth of cut at the transition [mm]")
@@ -93,7 +93,7 @@ def draw(dataset: xr.Dataset) -> Figure:
     ax.axhline(1e3 * PAPER, color="0.4", ls=":", lw=0.9, label="Nairn (2015), 30°")
     ax.set_xlim(left=min(ax.get_xlim()[0], 0))
     ax.set_ylim(bottom=0)
-    figure.legend(handles=ax.get_legend_handles_labels()[0], loc="outside upper center", ncols=2)
+    figure.legend(handles=ax.get_legend_handles_labels()[0], loc="outside upper center", fontsize="x-small")
     return figure
 
 
