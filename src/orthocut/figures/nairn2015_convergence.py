@@ -33,8 +33,8 @@ CAPTION = (
     "least-squares fits of a limit plus slope times size, dashed, and times its square, dotted, with the limits "
     "(diamonds) and their standard errors; how far both limits lie apart says how much the assumed order matters. "
     "No support: nodes of little mass move on their own, as in the paper; dissipated, coupled: other criteria of "
-    "failure than the paper's. Crosses on the axis: failed runs. The table lists all fits beside the models, also those of "
-    "other numbers of points along a cell and places of the grid."
+    "failure than the paper's. Crosses on the axis: failed runs. The table lists all fits beside the models, also "
+    "those of other numbers of points along a cell and places of the grid."
 )
 DIMS = ()
 PANELS = (
