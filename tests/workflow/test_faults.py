@@ -108,11 +108,10 @@ def workers(process):
     return [child for child in children if "spawn_main" in " ".join(child.cmdline())]
 
 
-@pytest.mark.parametrize("delay", [0.0, 0.7])
-def test_kill_9_of_the_whole_workflow(project, expected, delay):
+def test_kill_9_of_the_whole_workflow(project, expected):
     with running(project) as process:
         wait_for(lambda: started(project))
-        time.sleep(delay)
+        time.sleep(0.7)
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
         for child in psutil.process_iter(["cwd"]):
@@ -158,7 +157,7 @@ def test_full_disk(project, expected):
 
 
 def test_read_only_store(project, expected):
-    check(project, expected)
+    assert project.snakemake(study="faults", copied=False).returncode == 0
     folder = project.root / "results" / "store"
     lost = next(iter(expected))
     content = (folder / f"{lost}.nc").read_bytes()
@@ -194,7 +193,7 @@ def test_two_workflows_on_one_store_at_once(tmp_path, expected):
 
 @pytest.mark.parametrize("hours", [-48, 48])
 def test_the_clock_jumps(project, expected, hours):
-    check(project, expected)
+    assert project.snakemake(study="faults", copied=False).returncode == 0
     for path in (project.root / "results").rglob("*"):
         if path.is_file() and path.stat().st_ino % 2:
             then = time.time() + 3600 * hours

@@ -51,7 +51,7 @@ def test_errors_of_deep_cuts_are_larger():
 @pytest.mark.parametrize(
     ("kind", "values", "words"),
     [
-        ("mpm", {"tolerance": "1 %"}, r"tolerance = 0.01: no setting is known to be as good \(allowed: 4.[0-9] % or"),
+        ("mpm", {"tolerance": "1 %"}, r"tolerance = 0.01: no setting is known to be as good \(allowed: 2.[0-9] % or"),
         ("mpm", {"tolerance": "9 %", "cut_depth": "5 mm"}, r"3.6 lengths of the cohesive zone \(allowed: up to 3\)"),
         ("mpm", {"tolerance": "9 %", "friction": 1}, r"outside of tool.friction \(0 to 0.6\); take a preset"),
         ("mpm", {"tolerance": "9"}, "tolerance = '9': must be a share of the force, such as 10 % or 0.1"),
