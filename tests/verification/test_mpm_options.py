@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from orthocut.experiments.mpm_cutting import LEAST_WINDOW, simulate
+from orthocut.mpm import setup
 from orthocut.params.block import ConfigError
 from orthocut.params.case import load
 
@@ -44,6 +45,18 @@ def test_path_over_part_of_the_width_cuts_like_the_whole_one(whole):
     part = simulate(load("mpm", {**COARSE, "path_ratio": 14.0}), snapshots=0)
     assert float(part.force_cutting_mean) == pytest.approx(float(whole.force_cutting_mean), rel=0.03)
     assert abs(float(part.energy_closure)) < 5e-3
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.25, 0.5, 0.75])
+def test_rows_of_nodes_lie_where_the_case_says(offset):
+    """The next row above the cut is so many cells above it; the last one held is next to the bottom."""
+    case = load("mpm", {"points_per_depth": 6, "grid_offset": offset})
+    frame = setup.build(case).frame
+    rows_below = offset - frame.origin_y / frame.cell
+    assert rows_below == pytest.approx(round(rows_below))
+    bottom = -case.workpiece.base_ratio * case.cut_depth
+    held = frame.origin_y + frame.last_clamped_row * frame.cell
+    assert abs(held - bottom) <= 0.5001 * frame.cell
 
 
 @pytest.mark.parametrize(("points", "per_cell"), [(8, 3), (10, 4)])
