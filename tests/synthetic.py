@@ -173,7 +173,7 @@ def dem_test_run(kind="dem_tension", cracks=40, wall_time=5.0, **values):
     """A strength test with a parabola for its curve and cracks in a band."""
     case = make_case(kind, **{"packing.radius_min": "20 um", **values})
     random = np.random.default_rng(case.packing.seed)
-    sign, strength = (1, 42e6) if kind == "dem_tension" else (-1, 330e6)
+    sign, strength = (-1, 330e6) if kind == "dem_compression" else (1, 42e6)
     strain = np.linspace(0, 2 * strength / 71e9 * 0.9, SAMPLES)
     stress = 71e9 * strain * (1 - strain * 71e9 / (4 * strength)) * (1 + 0.02 * case.packing.seed)
     x, y, radius, first, second = _discs(case, 2, random)
@@ -193,6 +193,8 @@ def dem_test_run(kind="dem_tension", cracks=40, wall_time=5.0, **values):
         "cracks_shear_total": ((), cracks // 3),
         **_scene(case, 2, random, x, y, radius, first, second, crack_x, crack_y, 1e-3),
     }
+    if kind == "dem_toughness":
+        data["toughness_fracture"] = ((), 0.45e6 * (1 + 0.02 * case.packing.seed))
     return _finish(case, data, wall_time)
 
 

@@ -28,6 +28,7 @@ _SECONDS_PER_DISC_STEP = {
     "dem_tension": 20e-9,
     "dem_compression": 26e-9,
     "dem_brazilian": 22e-9,
+    "dem_toughness": 22e-9,
     "dem_cutting": 22.5e-9,
 }
 _LESS_DAMPING, _DAMPING = 0.3, 0.7

@@ -31,6 +31,7 @@ SMALLEST = {
     "dem_tension": {"packing.width": "0.15 mm", "packing.height": "0.3 mm", "strain_max": 1e-5},
     "dem_compression": {"packing.width": "0.15 mm", "packing.height": "0.3 mm", "strain_max": 1e-5},
     "dem_brazilian": {"packing.width": "0.2 mm", "packing.height": "0.2 mm", "strain_max": 1e-5},
+    "dem_toughness": {"packing.width": "0.15 mm", "packing.height": "0.3 mm", "crack_ratio": 0.6, "strain_max": 1e-5},
 }
 """What to set to make a case of each kind take a moment and still pass through the whole solver."""
 

@@ -113,6 +113,7 @@ VARIABLES: dict[str, Variable] = {
     "groove_bottom_ratio": Variable("", "1", "width of a groove at its bottom over that at the surface"),
     "groove_distance": Variable("", "m", "clear distance between grooves at the surface", *_MM),
     "grip_speed": Variable("v", "m/s", "speed of a grip", "mm/s", 1e3),
+    "crack_ratio": Variable("2a/W", "1", "length of the crack over the width of the specimen"),
     "grip_ratio": Variable("", "1", "height of a grip over height of the specimen"),
     "drop_fraction": Variable("", "1", "fraction of the peak stress at which a test ends"),
     "strain_max": Variable("", "1", "axial strain at which a test ends", "%", 100.0),
@@ -188,6 +189,9 @@ VARIABLES: dict[str, Variable] = {
     "modulus_young": Variable("E", "Pa", "Young's modulus", "GPa", 1e-9),
     "ratio_poisson": Variable(r"\nu", "1", "Poisson's ratio"),
     "strength_ultimate": Variable(r"\sigma_u", "Pa", "magnitude of the largest axial stress", *_MPA),
+    "toughness_fracture": Variable(
+        "K_{Ic}", "Pa m^0.5", "fracture toughness: stress intensity at the largest stress", "MPa m^0.5", 1e-6
+    ),
     "strain_peak": Variable(
         r"\varepsilon_u", "1", "axial strain in the measurement region at the largest stress", "%", 100.0
     ),

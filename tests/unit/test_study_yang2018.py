@@ -7,6 +7,7 @@ import yaml
 
 from orthocut.cost import estimate_seconds
 from orthocut.figures.registry import FIGURES
+from orthocut.figures.yang2018_runs import CALIBRATED_STRENGTH
 from orthocut.params.case import load
 from orthocut.params.dem import FlatJoint
 from orthocut.plan import load_plan
@@ -64,6 +65,7 @@ def test_calibrated_joints_are_the_same_everywhere(plan):
 def test_calibrated_joints_are_those_of_the_published_calibration(plan):
     (case, *_) = members(plan, "yang2018_table2", "calibrated_tension")
     assert plan.cases[case].joint == load("dem_tension", yaml.safe_load(CALIBRATED.read_text())).joint
+    assert plan.cases[case].joint.strength_tensile == CALIBRATED_STRENGTH
 
 
 def test_three_packings_of_the_four_cuts_fit_the_budget(plan):

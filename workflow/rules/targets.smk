@@ -2,7 +2,9 @@
 
 PAPERS = [figure for figure in PLAN.figures if figure.startswith(("nairn2015_", "yang2018_"))]
 SPECIMENS = [
-    case for case, made in PLAN.cases.items() if made.kind in ("dem_tension", "dem_compression", "dem_brazilian")
+    case
+    for case, made in PLAN.cases.items()
+    if made.kind in ("dem_tension", "dem_compression", "dem_brazilian", "dem_toughness")
 ]
 TARGETS = {
     "paper": PAPERS,

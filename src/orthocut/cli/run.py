@@ -31,7 +31,7 @@ def run(
         typer.Argument(
             metavar="CASE",
             help="A YAML file with the fields of a case, or a kind: mpm, dem, "
-            "dem_tension, dem_compression, dem_brazilian.",
+            "dem_tension, dem_compression, dem_brazilian, dem_toughness.",
         ),
     ],
     settings: Annotated[

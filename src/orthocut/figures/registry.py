@@ -55,6 +55,7 @@ FIGURES = {
     "yang2018_fig18": "yang2018_comparison",
     "yang2018_table1": "yang2018_table1",
     "yang2018_table2": "yang2018_table2",
+    "yang2018_toughness": "yang2018_toughness",
     "yang2018_table4": "yang2018_table4",
     "yang2018_table4_damped": "yang2018_table4",
     "yang2018_table4_damped_slow": "yang2018_table4",

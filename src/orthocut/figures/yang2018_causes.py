@@ -22,6 +22,7 @@ from orthocut.figures.yang2018_comparison import factor
 from orthocut.figures.yang2018_finding import over, over_early
 from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, NAMES, SIMULATION, WIDTHS, mean, words
 from orthocut.figures.yang2018_runs import (
+    CALIBRATED_STRENGTH,
     GlassRun,
     as_printed,
     condense,
@@ -69,6 +70,13 @@ def _block(run: GlassRun) -> str:
     return f"{1e3 * packing.width:g} x {1e3 * packing.height:g} mm of {1e6 * packing.radius_min:g} µm"
 
 
+def _joints(run: GlassRun) -> str:
+    if as_printed(run.case.joint):
+        return "as printed"
+    stronger = run.case.joint.strength_tensile / CALIBRATED_STRENGTH
+    return "calibrated" if _close(stronger, 1.0) else f"{stronger:.3g} times as strong"
+
+
 def _close(value: float, wanted: float) -> bool:
     return math.isclose(value, wanted, rel_tol=1e-9)
 
@@ -107,8 +115,8 @@ CHOICES = (
     Choice(
         "joints",
         ("joint_modulus", "joint_stiffness_ratio", "joint_strength_tensile", "joint_cohesion"),
-        lambda run: not as_printed(run.case.joint),
-        lambda run: "as printed" if as_printed(run.case.joint) else "calibrated",
+        lambda run: _joints(run) == "calibrated",
+        _joints,
     ),
     Choice(
         "friction at the tool",

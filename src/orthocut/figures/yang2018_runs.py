@@ -23,6 +23,8 @@ PARTS, EARLY = 8, 6
 from there on chips are crushed between the two."""
 SUMS = {f"cracks_{place}": (f"cracks_tension_{place}", f"cracks_shear_{place}") for place in ("total", "below")}
 """Sums of numbers of a run, by name."""
+CALIBRATED_STRENGTH = 72.77e6
+"""Tensile strength of the calibrated joints [Pa]: results/published/calibration/paper_size/joint.yaml."""
 NUMERICAL = ("damping", "time_step_factor")
 """Fields of the joints that belong to the method, not to the material."""
 

@@ -12,18 +12,19 @@ from pydantic import ValidationError
 from orthocut.params import accuracy
 from orthocut.params.block import Block, ConfigError, describe, hint, shorten, show
 from orthocut.params.dem import DemBrazilian, DemCompression, DemCutting, DemTension
+from orthocut.params.dem_toughness import DemToughness
 from orthocut.params.limits import faults
 from orthocut.params.mpm import MpmCutting
 from orthocut.params.text import MAX_DEPTH, read_yaml
 
 KINDS: dict[str, type[Block]] = {
     model.model_fields["kind"].default: model
-    for model in (MpmCutting, DemCutting, DemTension, DemCompression, DemBrazilian)
+    for model in (MpmCutting, DemCutting, DemTension, DemCompression, DemBrazilian, DemToughness)
 }
 ALIASES = {"mpm": "mpm_cutting", "dem": "dem_cutting"}
 BESIDE = frozenset({"workpiece"})
 """Blocks of which a preset sets some fields and a case may set others."""
-Case = MpmCutting | DemCutting | DemTension | DemCompression | DemBrazilian
+Case = MpmCutting | DemCutting | DemTension | DemCompression | DemBrazilian | DemToughness
 
 
 def fields(model: type[Block], prefix: str = "") -> Iterator[str]:

@@ -28,6 +28,7 @@ _INPUT_ONLY = (
         "identity",
         "limits",
         "quantity",
+        "replicates",
         "schema",
         "size",
         "study",

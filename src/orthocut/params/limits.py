@@ -14,6 +14,7 @@ from orthocut.params.size import particles, steps
 if TYPE_CHECKING:
     from orthocut.params.case import Case
     from orthocut.params.dem import DemCutting, FlatJoint, Packing
+    from orthocut.params.dem_toughness import DemToughness
 
 MAX_PARTICLES = 5_000_000
 """Most material points or discs: some 40 GB of memory."""
@@ -23,6 +24,8 @@ MIN_CUT_STEPS = 500
 """Fewest steps of a cut of glass: one for each row of its history."""
 MIN_GRAINS = 4
 """Fewest of the largest discs that fit side by side into the width and the height of a packing."""
+MIN_CRACK = 4
+"""Fewest of the largest discs along the crack of a test of toughness."""
 _ROUNDING = 1e-9
 
 
@@ -37,6 +40,8 @@ def _grains(case: Case) -> Iterator[str]:
         yield from _step(case.joint, case.packing)
     if case.kind == "dem_cutting":
         yield from _cut(case)
+    if case.kind == "dem_toughness":
+        yield from _crack(case)
 
 
 def _vessel(packing: Packing) -> Iterator[str]:
@@ -95,6 +100,15 @@ def _cut(case: DemCutting) -> Iterator[str]:
         yield (
             f"grooves.width + grooves.distance = {_mm(taken)} leave no room for a groove "
             f"(allowed: up to the width of the block, {_mm(width)})"
+        )
+
+
+def _crack(case: DemToughness) -> Iterator[str]:
+    least = MIN_CRACK * 2 * case.packing.radius_min * case.packing.radius_ratio / case.packing.width
+    if _less(case.crack_ratio, least):
+        yield (
+            f"crack_ratio = {case.crack_ratio:g} is a crack of {_mm(case.crack_length)} "
+            f"(allowed: {math.ceil(100 * least) / 100:g} or more, {MIN_CRACK} of the largest discs)"
         )
 
 

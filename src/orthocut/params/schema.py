@@ -24,6 +24,7 @@ _HEADER = """\
 # Ductile cuts may also hold `preset` (PRESETS) or `tolerance` (such as 10 %), which
 # stand for fields of the method: src/orthocut/params/accuracy.yaml says which, and what they promise.
 """
+_PERCENT = {"type": "string", "pattern": "%"}
 
 
 def study_schema() -> dict[str, Any]:
@@ -38,13 +39,16 @@ def study_schema() -> dict[str, Any]:
     schema["$defs"][accuracy.KIND]["properties"] |= _wishes()
     _partial(schema["$defs"])
     _defaults(schema["$defs"])
+    replicates = schema["$defs"]["Sweep"]["properties"]["replicates"]
+    count = {limit: replicates.pop(limit) for limit in ("type", "minimum", "maximum")}
+    replicates["anyOf"] = [count, _PERCENT]
     schema["$defs"]["Sweep"]["properties"]["base"] = {"oneOf": [{"$ref": f"#/$defs/{kind}"} for kind in KINDS]}
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
 def _wishes() -> dict[str, Any]:
     """Schema of what a ductile cut may hold in place of fields."""
-    share = [{"type": "string", "pattern": "%"}, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1}]
+    share = [_PERCENT, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1}]
     return {
         "preset": {"enum": list(accuracy.presets()), "description": "Numerical settings by name, in place of fields."},
         "tolerance": {"anyOf": share, "description": "Error of the force; the cheapest settings that promise it."},

@@ -13,6 +13,7 @@ from orthocut.params.block import Block, ConfigError, describe, fault, hint, sho
 from orthocut.params.case import KINDS, Case, case_kind, override, resolve, validate
 from orthocut.params.identity import case_id
 from orthocut.params.quantity import Number
+from orthocut.params.replicates import counted
 from orthocut.params.text import Line, Name, read_yaml
 
 Values = dict[str, list[Any]]
@@ -79,9 +80,18 @@ class Sweep(Block):
     axes: Axes = Field(default_factory=Axes)
     """What varies."""
     replicates: Annotated[int, Number(1, 1000, integer=True)] = 1
-    """Random replicates of each point; replicate k of a packing with seed s has seed s + k."""
+    """Random replicates of each point; replicate k of a packing with seed s has seed s + k. Cuts of glass may have a
+    share such as ``10 %`` in its place: as many packings as the mean main force needs to be known to that."""
     snapshots: Annotated[int, Number(2, 200, integer=True)] = 6
     """Snapshots of each run, if a figure draws any; more of them change no other number."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _replicates(cls, data: Any) -> Any:
+        base = data.get("base") if isinstance(data, dict) else None
+        if not isinstance(base, dict) or "replicates" not in data:
+            return data
+        return {**data, "replicates": counted(data["replicates"], base.get("kind"))}
 
     def expand(self, source: str) -> list[tuple[str, Case]]:
         """Return a label and the case of every member, in order.

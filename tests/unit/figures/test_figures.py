@@ -104,6 +104,14 @@ def runs_for(name):
             for joint in joints
             for seed in (1, 2)
         ]
+    if name == "yang2018_toughness":
+        cracked = [
+            dem_test_run("dem_toughness", crack_ratio=ratio, **{"packing.radius_min": size, "packing.seed": seed})
+            for size in ("20 um", "10 um")
+            for ratio in (0.3, 0.5)
+            for seed in (1, 2)
+        ]
+        return [*cracked, dem_test_run("dem_tension")]
     if name in ("yang2018_convergence", "yang2018_causes", "yang2018_precision", "yang2018_claims", "yang2018_table4"):
         changes = ({}, {"cut_speed": "0.5 m/s"}, {"joint.damping": 0.3}, {"joint.time_step_factor": 0.25})
         cuts = [glass(depth, surface, seed) for depth in (0.1, 0.2) for surface in ({}, GROOVED) for seed in (1, 2, 3)]

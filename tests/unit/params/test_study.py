@@ -2,9 +2,11 @@
 
 import pytest
 
+from orthocut.params.accuracy import evidence
 from orthocut.params.block import ConfigError
 from orthocut.params.case import load
 from orthocut.params.identity import case_id
+from orthocut.params.replicates import packings
 from orthocut.params.study import Study, load_study
 
 
@@ -40,6 +42,13 @@ def test_zip_and_list_multiply():
         (0.002, 2.0, 0.0, 100e6),
         (0.002, 2.0, 0.3, 0.0),
     ]
+
+
+def test_replicates_by_what_the_mean_is_known_to():
+    counts = [len(members(base={"kind": "dem"}, replicates=share)) for share in ("50 %", "20 %", "10%")]
+    assert counts == [packings(0.5), packings(0.2), packings(0.1)]
+    assert counts == sorted(counts)
+    assert packings(0.1) == pytest.approx((1.96 * evidence()["glass"]["scatter"] / 0.1) ** 2, rel=0.1)
 
 
 def test_replicates_change_the_seed_alone():
@@ -152,6 +161,18 @@ def test_a_study_is_bounded_before_it_is_expanded(tmp_path, monkeypatch):
         (
             "title: t\nsweeps: {a: {base: {kind: mpm}, axes: {product: {cut_depth: []}}}}\nfigures: {}\n",
             "has no values",
+        ),
+        (
+            "title: t\nsweeps: {a: {base: {kind: mpm}, replicates: 9 %}}\nfigures: {}\n",
+            "sweeps.a: replicates = '9 %': the scatter of 'mpm' is not known (allowed: a number)",
+        ),
+        (
+            "title: t\nsweeps: {a: {base: {kind: dem}, replicates: 1 %}}\nfigures: {}\n",
+            "sweeps.a: replicates = 1 %: takes more than 1000 packings (allowed: 2.3 % or more)",
+        ),
+        (
+            "title: t\nsweeps: {a: {base: {kind: dem}, replicates: many}}\nfigures: {}\n",
+            "sweeps.a.replicates = 'many': must be a whole number",
         ),
         (
             "title: t\nsweeps: {a: {base: {kind: mpm}, replicates: 0}}\nfigures: {}\n",
