@@ -15,8 +15,8 @@ too: at 0.5 mm the work of its tool is 128 N/m less than what material and inter
 lose (here 2,100 N/m). That explains the forces that it reports at 0.5 and 1 mm, not its rubbing forces there (0.5 and
 2.3 kN/m, here 3.0 and 5.2). The energy that the material takes agrees within 10 and 13 %.
 
-At 3 mm, where the cohesive zone is 1.4 cells long, and in part at 1 mm, the force hangs on when chip and base count as closed
-again ahead of the tool, which is a matter of a twentieth of a cell:
+At 3 mm, where the cohesive zone is 1.4 cells long, and in part at 1 mm, the force hangs on when chip and base count as
+closed again ahead of the tool, which is a matter of a twentieth of a cell:
 
     where pairs of the interface overlap (paper mode)                 1.31    1.23    1.70    0.93
     where they are open by less than 0.05 cells                       1.30    1.03    0.36    0.83
