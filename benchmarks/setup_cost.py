@@ -21,7 +21,7 @@ from tables import write_table
 
 HEADER = ["case", "compiled code", "import [s]", "set-up [s]", "first step [s]", "in all before stepping [s]"]
 SCRIPTS = {
-    "ductile, quick": """
+    "ductile, 8 points": """
 from orthocut.params.case import load
 from orthocut.mpm import setup
 from orthocut.mpm.solver import Solver

@@ -24,7 +24,6 @@ from orthocut.survey import Batch, Job
 if TYPE_CHECKING:
     import distributed
 
-CLUSTERS = ("local", "slurm")
 _PATIENCE = 5.0  # seconds between reports of how far a case is
 _ALLOWED_FAILURES = 2  # times that a worker may die of a case
 

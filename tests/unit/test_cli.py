@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import typer
 import xarray as xr
 from synthetic import mpm_run
 from typer.testing import CliRunner
@@ -72,6 +73,27 @@ def test_help(verb):
     if verb not in ([], ["study"], ["theory"]):
         assert "Example" in result.stdout
         assert f"orthocut {' '.join(verb)}" in result.stdout
+
+
+def examples():
+    """Lines of the help and of README that call the program."""
+    pending, texts = [typer.main.get_command(app)], [(ROOT / "README.md").read_text(encoding="utf-8")]
+    while pending:
+        command = pending.pop()
+        texts.append(command.epilog or "")
+        pending += getattr(command, "commands", {}).values()
+    lines = "\n".join(texts).splitlines()
+    return [shlex.split(line, comments=True) for line in lines if line.startswith("orthocut ")]
+
+
+@pytest.mark.parametrize("words", examples(), ids=" ".join)
+def test_examples_name_verbs_and_options_that_there_are(words):
+    command, rest = typer.main.get_command(app), words[1:]
+    while hasattr(command, "commands"):
+        name, *rest = rest
+        command = command.commands[name]
+    with command.make_context(command.name, rest, resilient_parsing=True) as context:
+        assert not context.args
 
 
 def test_version():

@@ -1,6 +1,8 @@
 """``orthocut store gc``: what a study wants stays, all else goes."""
 
 import json
+import subprocess
+import sys
 
 import pytest
 import yaml
@@ -9,7 +11,7 @@ from typer.testing import CliRunner
 
 from orthocut.cli import app
 from orthocut.experiments.packing_shelf import FOLDER, shelf_path
-from orthocut.io.store import Store
+from orthocut.io.store import IN_USE, Store
 from orthocut.params.case import validate
 
 
@@ -52,3 +54,18 @@ def test_gc_on_trial_names_files_and_leaves_them(shelf):
     assert {str(path) for path in drop} <= named
     assert not named & {str(path) for path in keep}
     assert all(path.exists() for path in (*keep, *drop))
+
+
+def test_gc_waits_for_workflows_that_use_the_store(shelf):
+    store, study, keep, drop = shelf
+    program = f"import time; from orthocut.io.files import hold; hold({str(store.root / IN_USE)!r}, shared=True)"
+    with subprocess.Popen([sys.executable, "-c", f"{program}; print(flush=True); time.sleep(60)"], stdout=-1) as user:
+        user.stdout.readline()
+        command = ["store", "gc", "--store", str(store.root), "--study", str(study)]
+        result = CliRunner().invoke(app, command)
+        user.kill()
+    assert result.exit_code == 2
+    assert f"in use by process {user.pid}" in result.output
+    assert all(path.exists() for path in (*keep, *drop))
+    gc(store, study)
+    assert not any(path.exists() for path in drop)

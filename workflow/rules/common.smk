@@ -1,6 +1,7 @@
 """What the study asks for and what the store lacks. Stops before the DAG when the study is faulty."""
 
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
@@ -8,7 +9,7 @@ from snakemake.logging import logger
 
 from orthocut.figures.registry import caption, condense, dims
 from orthocut.io.files import hold
-from orthocut.io.store import Store
+from orthocut.io.store import IN_USE, Store
 from orthocut.params.block import ConfigError
 from orthocut.params.identity import digest_datasets, digest_numbers, digest_pictures, digest_report, result_key
 from orthocut.params.workflow import WorkflowOptions
@@ -40,6 +41,8 @@ onstart:
         hold(Path(RESULTS, ".lock"))
     except BlockingIOError as error:
         raise WorkflowError(f"{RESULTS}: {error.strerror}: wait until that workflow ends") from None
+    with suppress(PermissionError):  # a store that can only be read is not cleaned up either
+        hold(Path(STORE, IN_USE), shared=True)
     for path in Path(RESULTS, "batches").glob("*"):
         if path.stem not in BATCHES:
             path.unlink()

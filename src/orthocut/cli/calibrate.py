@@ -90,7 +90,12 @@ def calibrate(
         for path in paths:
             typer.echo(str(path))
     if not found.converged:
-        fail(f"not within {calibration.tolerance:.3g} of all properties; more evaluations, or other values", FAILED)
+        off, worst = max(zip(abs(deviations(best, goal)).tolist(), REACHED, strict=True))
+        fail(
+            f"{worst} is {100 * off:.2g} % off its goal (allowed: tolerance = {100 * calibration.tolerance:.2g} %); "
+            "more evaluations, or other values",
+            FAILED,
+        )
 
 
 def _values(settings: list[str]) -> dict[str, object]:

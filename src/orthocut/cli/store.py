@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -133,8 +134,12 @@ def collect_garbage(
     ] = None,
     dry_run: DryRun = False,
 ) -> None:
-    """Remove results and packings that no study wants or that other sources made, and what killed processes left."""
-    from orthocut.io.store import SNAPSHOTS, SUFFIX
+    """Remove results and packings that no study wants or that other sources made, and what killed processes left.
+
+    Results of calibrations go too: no study lists them. Refused while a workflow uses the store.
+    """
+    from orthocut.io.files import held
+    from orthocut.io.store import IN_USE, SNAPSHOTS, SUFFIX
 
     store = _open(root)
     names = studies or [str(path) for path in sorted(CONFIG.glob("*.yaml")) if path.name != "default.yaml"]
@@ -145,10 +150,14 @@ def collect_garbage(
     doomed = [store.path(key, suffix) for key in store.names() if key not in wanted for suffix in (SUFFIX, SNAPSHOTS)]
     doomed = [path for path in doomed if path.exists()] + list(store.remains())
     doomed += _old_packings(root, cases)
-    for path in doomed:
-        typer.echo(str(path))
-        if not dry_run:
-            path.unlink(missing_ok=True)
+    try:
+        with nullcontext() if dry_run else held(root / IN_USE):
+            for path in doomed:
+                typer.echo(str(path))
+                if not dry_run:
+                    path.unlink(missing_ok=True)
+    except BlockingIOError as error:
+        raise ConfigError(f"--store {root}: {error.strerror} (allowed: when that has ended)") from None
     typer.echo(f"{len(doomed)} files {'would be ' if dry_run else ''}removed", err=True)
 
 

@@ -66,7 +66,7 @@ def expand(file: StudyFile, as_json: Json = False) -> None:
     typer.echo(f"{len(rows)} cases", err=True)
 
 
-@app.command("status", epilog="Example:\n\northocut study status quick --results results")
+@app.command("status", epilog="Example:\n\northocut study status quick --store results/store")
 @guarded
 def status(
     file: StudyFile,

@@ -15,7 +15,7 @@ from orthocut.figures.holes import failed, mark
 from orthocut.figures.palette import SERIES
 from orthocut.figures.sweep import over_toughness
 from orthocut.figures.symbols import draw_force, draw_limit
-from orthocut.figures.tables import Table
+from orthocut.figures.tables import Table, plain
 from orthocut.figures.varied import series_along, value_of
 from orthocut.io.collect import case_of, parameters
 from orthocut.theory import bending, touching
@@ -107,7 +107,7 @@ def tabulate(dataset: xr.Dataset) -> Table:
         fits = [_fit(runs, power) for power, _ in POWERS]
         numbers = [number for fit in fits for number in (fit.limit, fit.error, fit.misfit)]
         points = " ".join(f"{case_of(run).numerics.points_per_depth}" for run in runs)
-        rows.append([name.replace("$", ""), points, *numbers, _model(runs[-1])])
+        rows.append([plain(name), points, *numbers, _model(runs[-1])])
     return Table("Cutting force over toughness at zero particle size", header, rows)
 
 

@@ -17,7 +17,7 @@ from orthocut.figures.extrapolation import Fit, extrapolate
 from orthocut.figures.palette import AMBER, BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY
 from orthocut.figures.precision import Reference, Setting, draw_settings, front, handles, setting
 from orthocut.figures.sweep import over_toughness, touches
-from orthocut.figures.tables import Table
+from orthocut.figures.tables import Table, plain
 from orthocut.figures.varied import ELASTIC, words
 from orthocut.io.collect import case_of, parameters
 from orthocut.params.mpm import MpmCutting
@@ -179,7 +179,7 @@ def tabulate(dataset: xr.Dataset) -> Table:
             numbers = [force, 100 * one.deviation, 100 * one.noise, 100 * one.error, one.cost]
             measured = run.measured if run else math.nan
             mark = "yes" if one in best else "no"
-            first = [scene.name.replace("$", ""), *scene.reference, one.knob, one.words.replace("$", "")]
+            first = [plain(scene.name), *scene.reference, one.knob, plain(one.words)]
             rows.append([*first, *numbers, measured, mark])
     return Table("Error of the cutting force against run time", header, rows)
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from orthocut.figures.claims import Finding
+from orthocut.figures.claims import UNDECIDED, Finding
 from orthocut.figures.nairn2015_cuts import Cut, at_zero_size, select, usual
 from orthocut.figures.nairn2015_finding import force_bending, known, most_known, verdict
 
@@ -84,10 +84,18 @@ def law_changes_the_force(cuts: Sequence[Cut]) -> Finding | None:
     return Finding(
         f"{min(ratios):+.0%} to {max(ratios):+.0%}" + (" at zero size" if alone else ""),
         math.nan,
-        verdict(_differs(here), not limits or _differs(limits), alone),
+        _law_verdict(here, limits, alone),
         f"nairn2015_fig14; {len(here)} pairs of the same depth of cut at {usual(cuts)[0].points} points "
-        f"{_range(here)}{words}; holds if one differs by more than 5 %, two standard errors aside",
+        f"{_range(here)}{words}; holds if one differs by more than 5 %, two standard errors "
+        f"aside, fails if none can",
     )
+
+
+def _law_verdict(here: list[tuple[float, float]], limits: list[tuple[float, float]], alone: bool) -> str:
+    """Undecided where errors are too large to tell whether a limit differs."""
+    if limits and not _differs(limits) and any(abs(change) + 2 * error > 0.05 for change, error in limits):
+        return UNDECIDED
+    return verdict(_differs(here), not limits or _differs(limits), alone)
 
 
 def _law_changes(cuts: Sequence[Cut]) -> list[tuple[float, float]]:

@@ -14,7 +14,7 @@ from orthocut.figures.palette import SERIES
 from orthocut.figures.regimes import Transition, transition
 from orthocut.figures.sweep import cut_depth, group_name, group_of, touches
 from orthocut.figures.symbols import draw_limit
-from orthocut.figures.tables import Table
+from orthocut.figures.tables import Table, plain
 from orthocut.figures.varied import words
 from orthocut.io.collect import case_of
 
@@ -103,7 +103,7 @@ def tabulate(dataset: xr.Dataset) -> Table:
     header += ["runs of the other regime"]
     found = transitions(dataset)
     rows = [
-        [_name(key, found).replace("$", ""), points, 1e3 * change.low or float("nan"), 1e3 * change.high, change.strays]
+        [plain(_name(key, found)), points, 1e3 * change.low or float("nan"), 1e3 * change.high, change.strays]
         for key, sizes in found.items()
         for points, change in sizes.items()
     ]

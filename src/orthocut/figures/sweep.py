@@ -50,12 +50,6 @@ def group_name(group: Group, groups: Mapping[Group, list[xr.Dataset]]) -> str:
     return ", ".join(varied) or words[0]
 
 
-def legend_columns(groups: Mapping[Group, list[xr.Dataset]]) -> int:
-    """Number of columns in which the names of the series fit over a figure of a column's width."""
-    longest = max(len(group_name(group, groups).replace("$", "").replace("\\", "")) for group in groups)
-    return 3 if longest < 20 else 2 if longest < 32 else 1
-
-
 def cut_depth(run: xr.Dataset) -> float:
     """Depth of cut [m]."""
     return case_of(run).cut_depth

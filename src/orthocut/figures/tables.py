@@ -40,6 +40,16 @@ class Table:
         return "\n".join([*lines, "", *self.notes] if self.notes else lines) + "\n"
 
 
+_SYMBOLS = {r"\alpha": "α", r"\beta": "β", r"\mu": "μ", r"\sigma": "σ", "^{-2}": "^-2", "$": ""}
+
+
+def plain(text: str) -> str:
+    """Text with its mathtext symbols as plain letters."""
+    for symbol, letter in _SYMBOLS.items():
+        text = text.replace(symbol, letter)
+    return text
+
+
 def _plain(cell: Any, digits: int, hole: str) -> str:
     if isinstance(cell, float):
         return f"{cell:.{digits}g}" if math.isfinite(cell) else hole

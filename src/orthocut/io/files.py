@@ -54,24 +54,36 @@ _held: list[IO[str]] = []
 """Files that this process has locked: a lock ends when its file is closed."""
 
 
-def hold(path: str | Path) -> None:
+def hold(path: str | Path, shared: bool = False) -> None:
     """Lock a file for as long as this process lives, however it ends.
 
     Parameters
     ----------
     path : str or Path
         File that stands for what is locked; it is made, and stays.
+    shared : bool
+        Whether others may hold it at the same time, if they share it too.
 
     Raises
     ------
     BlockingIOError
         If another process holds the lock; the message says which.
     """
-    path = Path(path)
+    _held.append(_lock(Path(path), shared))
+
+
+@contextmanager
+def held(path: str | Path) -> Iterator[None]:
+    """Lock a file as `hold` does, for as long as the context lasts."""
+    with _lock(Path(path), shared=False):
+        yield
+
+
+def _lock(path: Path, shared: bool) -> IO[str]:
     path.parent.mkdir(parents=True, exist_ok=True)
     file = open(path, "a+", encoding="utf-8")  # noqa: SIM115
     try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        fcntl.flock(file, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
     except BlockingIOError:
         file.seek(0)
         holder = file.read().strip()
@@ -80,7 +92,7 @@ def hold(path: str | Path) -> None:
     file.truncate(0)
     file.write(f"process {os.getpid()} on {os.uname().nodename}\n")
     file.flush()
-    _held.append(file)
+    return file
 
 
 def write_text(text: str, path: str | Path) -> Path:

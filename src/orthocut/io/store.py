@@ -25,6 +25,8 @@ from orthocut.params.identity import result_key
 
 SUFFIX, SNAPSHOTS, CHECKPOINT = ".nc", ".snapshots.nc", ".checkpoint.npz"
 ASIDE = "aside"
+IN_USE = ".in-use"
+"""File that workflows lock while they use a store."""
 
 
 class Entry(NamedTuple):

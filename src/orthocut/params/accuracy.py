@@ -166,10 +166,15 @@ def _why_not(case: MpmCutting) -> str:
     )
 
 
+def percent(value: Any) -> float | None:
+    """Share that a text such as ``2 %`` states; None for anything else."""
+    form = re.fullmatch(r"\s*([0-9]+\.?[0-9]*)\s*%\s*", value) if isinstance(value, str) else None
+    return float(form[1]) / 100 if form else None
+
+
 def _share(value: Any, source: str) -> float:
     """Tolerance as a share of the force: ``2 %`` or 0.02."""
-    form = re.fullmatch(r"\s*([0-9]+\.?[0-9]*)\s*%\s*", value) if isinstance(value, str) else None
-    number = float(form[1]) / 100 if form else value
+    number = percent(value) if isinstance(value, str) else value
     if isinstance(number, bool) or not isinstance(number, int | float) or not 0 < number < 1:
         raise ConfigError(f"{source}: tolerance = {show(value)}: must be a share of the force, such as 10 % or 0.1")
     return float(number)

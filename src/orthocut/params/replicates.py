@@ -3,22 +3,15 @@
 from __future__ import annotations
 
 import math
-import re
 from typing import Any
 
-from orthocut.params.accuracy import evidence
+from orthocut.params.accuracy import evidence, percent
 from orthocut.params.block import fault, show
 
 KIND = "dem_cutting"
 """The kind of cases whose scatter is known."""
 LEVEL = 0.95
 MOST = 1000
-
-
-def wanted(value: Any) -> float | None:
-    """Half-width over the mean that a text such as ``10 %`` asks for; None if it asks for no such thing."""
-    form = re.fullmatch(r"\s*([0-9]+\.?[0-9]*)\s*%\s*", value) if isinstance(value, str) else None
-    return float(form[1]) / 100 if form else None
 
 
 def packings(share: float) -> int:
@@ -55,7 +48,7 @@ def counted(replicates: Any, kind: Any) -> Any:
     PydanticCustomError
         If nothing is known of the scatter of this kind of cases.
     """
-    share = wanted(replicates)
+    share = percent(replicates)
     if share is None:
         return replicates
     if kind not in (KIND, "dem"):

@@ -35,7 +35,7 @@ class Axes(Block):
     def _equal(self) -> Axes:
         lengths = {name: len(values) for name, values in self.zip.items()}
         if len(set(lengths.values())) > 1:
-            raise fault(f"zip: lists differ in length ({show(lengths)})")
+            raise fault(f"zip: lists differ in length ({show(lengths)}) (allowed: lists of one length)")
         for name, values in {**self.product, **self.zip}.items():
             if not values:
                 raise fault(f"axis {shorten(name)} has no values (allowed: one or more)")
@@ -186,10 +186,6 @@ class Study(Block):
     def cases(self, source: str = "study") -> dict[str, dict[str, Case]]:
         """Sweep name to case id to case."""
         return self.expand(source)[0]
-
-    def labels(self, source: str = "study") -> dict[str, str]:
-        """Case id to words for people."""
-        return self.expand(source)[1]
 
 
 def _round(count: int) -> str:

@@ -149,7 +149,7 @@ def test_verb_repeats_from_the_store_and_says_when_goals_are_missed(tmp_path):
     outcomes = [CliRunner().invoke(app, [*command, "--output", str(tmp_path / name)]) for name in ("first", "again")]
     first, again = (json.loads(outcome.stdout) for outcome in outcomes)
     assert [outcome.exit_code for outcome in outcomes] == [1, 1]
-    assert "not within 0.2" in outcomes[0].stderr
+    assert "% off its goal (allowed: tolerance = 20 %)" in outcomes[0].stderr
     assert first["parameters"] == again["parameters"]
     assert first["properties"] == again["properties"]
     told = [json.loads(line) for line in (tmp_path / "again" / "progress.jsonl").read_text().splitlines()]

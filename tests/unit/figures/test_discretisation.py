@@ -98,7 +98,7 @@ def test_other_kinds_single_runs_and_nothing_pass():
     assert finest(collect([glass, cut(5), cut(8)])).sizes["case"] == 2
     assert finest(cut(5), "force_cutting_mean").equals(cut(5))
     assert finest(None) is None
-    assert finest(collect([]), "force_cutting_mean") is not None
+    assert finest(collect([]), "force_cutting_mean").sizes["case"] == 0
 
 
 def symbols(ax):

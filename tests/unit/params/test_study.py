@@ -65,7 +65,7 @@ def test_same_case_in_two_sweeps_is_one_run():
     cases = two.cases()
     assert set(cases["b"]) < set(cases["a"])
     assert set(cases["b"]) == {case_id(load("mpm"))}
-    assert two.labels()[case_id(load("mpm"))] == "a: cut_depth 0.9 mm"
+    assert two.expand()[1][case_id(load("mpm"))] == "a: cut_depth 0.9 mm"
 
 
 @pytest.mark.parametrize(
