@@ -13,7 +13,7 @@ from orthocut.figures import nairn2015_rules_touching as touching
 from orthocut.figures import nairn2015_rules_transition as transition
 from orthocut.figures import nairn2015_rules_zone as zone
 from orthocut.figures import registry
-from orthocut.figures.claims import ARTEFACT, NOT_REPRODUCED, NOT_TESTED, REPRODUCED
+from orthocut.figures.claims import ARTEFACT, NOT_REPRODUCED, NOT_TESTED, REPRODUCED, UNDECIDED
 from orthocut.figures.nairn2015_claims import CLAIMS
 from orthocut.figures.nairn2015_cuts import Cut, at_zero_size, condense, cuts_of, hanging, usual
 from orthocut.figures.nairn2015_finding import force_bending, force_touching
@@ -331,14 +331,17 @@ def test_fit_of_weak_bending_is_judged_at_zero_particle_size(weak, wanted):
     assert verdict(zone.weak_interface_fits_bending_better, cuts) == wanted
 
 
-@pytest.mark.parametrize(("limit", "wanted"), [(1.2, REPRODUCED), (1.01, ARTEFACT)])
-def test_cohesive_law_is_judged_at_zero_particle_size(limit, wanted):
+@pytest.mark.parametrize(
+    ("limit", "error", "wanted"),
+    [(1.2, 0.01, REPRODUCED), (1.0, 0.0, ARTEFACT), (1.0, 0.1, UNDECIDED)],
+)
+def test_cohesive_law_is_judged_at_zero_particle_size(limit, error, wanted):
     cuts = [
         one
         for n in (5, 8)
         for one in (
-            cut(3, 4.0, 100, points_per_depth=n),
-            cut(3, 4.0 * (limit + (1.2 - limit) * 8 / n), 100, points_per_depth=n, law="triangular"),
+            cut(3, 4.0, 100, points_per_depth=n, error=error),
+            cut(3, 4.0 * (limit + (1.2 - limit) * 8 / n), 100, points_per_depth=n, law="triangular", error=error),
         )
     ]
     assert verdict(zone.law_changes_the_force, cuts) == wanted
