@@ -4,7 +4,7 @@ PYTHON ?= python3
 CORES ?= all
 STUDY ?= quick
 PAPER ?= nairn2015
-TEST_JOBS ?= 2
+TEST_JOBS ?= 3
 PUBLISHED := nairn2015_fig03b nairn2015_fig04 nairn2015_fig05 nairn2015_fig08 energy_balance \
 	yang2018_fig07 yang2018_fig08 yang2018_fig11 yang2018_fig13 yang2018_table4
 VENV := .venv
