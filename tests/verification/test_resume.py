@@ -21,6 +21,7 @@ from orthocut.run import SMALLEST, run_case
 
 TESTS = {"strain_max": 3e-3, "grip_speed": "0.1 m/s"}
 CASES = {kind: {**SMALLEST[kind], **(TESTS if "cutting" not in kind else {})} for kind in KINDS}
+CASES["dem_toughness"] |= {"strength_tensile": "1 GPa", "cohesion": "1 GPa"}
 """Small cases, of specimens with more samples than a dataset holds."""
 
 

@@ -1,7 +1,6 @@
 """What the study asks for and what the store lacks. Stops before the DAG when the study is faulty."""
 
 import sys
-from contextlib import suppress
 from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
@@ -41,8 +40,12 @@ onstart:
         hold(Path(RESULTS, ".lock"))
     except BlockingIOError as error:
         raise WorkflowError(f"{RESULTS}: {error.strerror}: wait until that workflow ends") from None
-    with suppress(PermissionError):  # a store that can only be read is not cleaned up either
+    try:
         hold(Path(STORE, IN_USE), shared=True)
+    except BlockingIOError as error:
+        raise WorkflowError(f"{STORE}: {error.strerror}: wait until it is cleaned up") from None
+    except OSError:  # a store that can only be read is not cleaned up either
+        pass
     for path in Path(RESULTS, "batches").glob("*"):
         if path.stem not in BATCHES:
             path.unlink()

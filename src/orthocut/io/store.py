@@ -25,7 +25,7 @@ from orthocut.params.identity import result_key
 
 SUFFIX, SNAPSHOTS, CHECKPOINT = ".nc", ".snapshots.nc", ".checkpoint.npz"
 ASIDE = "aside"
-IN_USE = ".in-use"
+IN_USE = "in-use"
 """File that workflows lock while they use a store."""
 
 
