@@ -59,11 +59,11 @@ def update(bxx, byy, bxy, strain_plastic, fxx, fxy, fyx, fyy, modulus_shear, har
     ayy *= scale
     azz *= scale
     axy = txy * scale
-    # isotropic part that keeps the determinant at one: a root of x^3 - second x + third order - 1, one Newton step
+    # isotropic part that keeps the determinant at one: a root of x^3 - second x + third order - 1; one Newton step
+    # from the trial state, which is an increment away
     second = 0.5 * (axx * axx + ayy * ayy + azz * azz) + axy * axy
     det = azz * (axx * ayy - axy * axy) - 1.0
-    x = 1.0 + (second - det - 1.0) / 3.0
-    x -= (x * (x * x - second) + det) / (3.0 * x * x - second)
+    x = third - (third * (third * third - second) + det) / (3.0 * third * third - second)
     x = third if plastic <= 0.0 else x
     return (
         axx + x,

@@ -47,7 +47,10 @@ def _locate(x, y, frame):
 
 @part
 def _weights(grid, x, y, frame):
-    """Offsets of the lower and upper left nodes around a place, and the weights by mass of the four nodes."""
+    """Offsets of the lower and upper left nodes around a place, and the weights by mass of the four nodes.
+
+    Weights are zero where these have hardly any mass together: nodes of so little mass do not move.
+    """
     i, j, rx, ry = _locate(x, y, frame)
     at = (j * frame.count_x + i) * NODE
     above = at + frame.count_x * NODE
@@ -56,13 +59,13 @@ def _weights(grid, x, y, frame):
     w01 = (1.0 - rx) * ry * grid[above + NM]
     w11 = rx * ry * grid[above + NODE + NM]
     total = w00 + w10 + w01 + w11
-    scale = 1.0 / total if total > 0.0 else 0.0
+    scale = 1.0 / total if total > frame.mass_small else 0.0
     return at, above, w00 * scale, w10 * scale, w01 * scale, w11 * scale
 
 
 @part
 def _is_bare(grid, x, y, frame):
-    """Whether no node around a place has mass."""
+    """Whether the nodes around a place have no mass to speak of."""
     _, _, w00, w10, w01, w11 = _weights(grid, x, y, frame)
     return w00 + w10 + w01 + w11 == 0.0
 

@@ -185,3 +185,19 @@ def test_dilation_in_one_large_increment_keeps_the_isochoric_part():
     exact = stretch**2 / stretch ** (4 / 3)
     assert sample.state[0] == pytest.approx(exact, abs=3e-6)
     assert sample.state[1] == pytest.approx(exact, abs=3e-6)
+
+
+def test_stress_stays_on_the_yield_surface_where_elastic_strains_are_of_order_one():
+    """A yield stress of three times the shear modulus, and steps as those of a cut."""
+    sample = Sample(ElasticPlastic(stress_yield="1128 MPa", modulus_tangent="0 MPa"))
+    limit = math.sqrt(2 / 3) * sample.material.stress_yield
+    for target in ([[1.0, 2.0], [0.0, 1.0]], [[1.8, 2.0], [0.0, 0.6]], [[0.8, -1.0], [0.3, 0.9]]):
+        sample.to(target, steps=300)
+        bxx, byy, bxy, _ = sample.state
+        bzz = 1 / (bxx * byy - bxy**2)
+        third = (bxx + byy + bzz) / 3
+        deviator = np.array([bxx - third, byy - third, bzz - third, math.sqrt(2) * bxy])
+        stress = sample.material.modulus_shear * np.linalg.norm(deviator)
+        assert sample.strain_plastic > 0.1
+        print(stress / limit - 1)
+        assert stress < limit * (1 + 1e-3)

@@ -209,3 +209,16 @@ def test_open_interface_lists_no_node():
     interface = Interface()
     interface.open((0, 1), 0.1 * ZONE.opening_critical, steps=10)
     assert interface.pull(*interface.bodies()) == 0
+
+
+@pytest.mark.parametrize(("mass", "alive"), [(2.0, True), (0.5, False), (0.0, False)])
+def test_pair_without_material_to_pull_on_fails(mass, alive):
+    """Nodes of less than the least mass do not move: a traction on them would act on the other body alone."""
+    interface = Interface()
+    interface.open((0, 1), 0.1 * ZONE.opening_critical, steps=10)
+    chip, base = (nodes.reshape(-1, layout.NODE) for nodes in interface.bodies())
+    chip[:, layout.NM] = mass * FRAME.mass_small
+    interface.pull(chip.ravel(), base.ravel())
+    assert interface.alive == alive
+    assert (base[:, layout.NFY].sum() > 0.0) == alive
+    assert base[:, layout.NFY].sum() == pytest.approx(-chip[:, layout.NFY].sum(), rel=1e-12)
