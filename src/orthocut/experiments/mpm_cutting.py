@@ -18,12 +18,10 @@ from orthocut.measure.steady import block_mean, is_known, steady_from
 from orthocut.mpm import setup
 from orthocut.mpm.solver import Solver
 from orthocut.mpm.state import State
-from orthocut.params.mpm import MpmCutting
+from orthocut.params.mpm import LEAST_WINDOW, MpmCutting
 
 SAMPLES = 500
 """Output intervals of a run."""
-LEAST_WINDOW = 3.0
-"""Travel over depth of cut that averages take at least before a cut ends early."""
 CLOSURE_LIMIT = 0.05
 """Share of the tool's work that may remain unaccounted for after a travel of one depth of cut; the run stops beyond."""
 GAIN_LIMIT = 0.05

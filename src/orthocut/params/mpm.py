@@ -15,6 +15,8 @@ from orthocut.params.tool import Tool
 
 LEAST_REACH = 4.0
 """Least distance ahead of the tool over depth of cut beyond which material may rest."""
+LEAST_WINDOW = 3.0
+"""Travel over depth of cut that averages take at least before a cut ends early."""
 
 
 class Workpiece(Block):
@@ -70,17 +72,17 @@ class MpmNumerics(Block):
                 f"(allowed: 0, or at least {LEAST_REACH:g})"
             )
         if self.scheme == "usavg":
-            for name in ("affine", "support", "reach_ratio"):
-                if getattr(self, name):
-                    raise fault(f"{name} = {getattr(self, name):g} is of no use with scheme = usavg (allowed: 0)")
-            return self
-        for name in ("flip", "position_order"):
-            default = type(self).model_fields[name].default
-            if getattr(self, name) != default:
-                raise fault(
-                    f"{name} = {getattr(self, name):g} is of no use with scheme = {self.scheme} "
-                    f"(allowed: {default:g}, or scheme = usavg)"
-                )
+            allowed, otherwise = dict.fromkeys(("affine", "support", "reach_ratio"), 0.0), ""
+        else:
+            allowed = {name: type(self).model_fields[name].default for name in ("flip", "position_order")}
+            otherwise = ", or scheme = usavg"
+        faults = [
+            f"{name} = {getattr(self, name):g} is of no use with scheme = {self.scheme} (allowed: {value:g}{otherwise})"
+            for name, value in allowed.items()
+            if getattr(self, name) != value
+        ]
+        if faults:
+            raise fault("; ".join(faults))
         return self
 
 

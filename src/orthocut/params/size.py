@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from orthocut.params.mpm import LEAST_WINDOW
+
 if TYPE_CHECKING:
     from orthocut.params.case import Case
 
 _SOLID_FRACTION = 0.9
 _PARTS = 16  # of the time of a cut
-_LEAST_WINDOW = 3.0  # travel over depth of cut that averages take at least before a cut ends early
 
 
 def particles(case: Case) -> float:
@@ -53,7 +54,7 @@ def least_share(case: Case) -> float:
     if case.kind != "mpm_cutting" or not case.error_target:
         return 1.0
     ramp = case.numerics.ramp_fraction
-    travel = min((case.window_ratio + _LEAST_WINDOW) / case.travel_ratio, 1.0)
+    travel = min((case.window_ratio + LEAST_WINDOW) / case.travel_ratio, 1.0)
     return travel * (1 - 0.5 * ramp) + 0.5 * ramp
 
 

@@ -186,6 +186,11 @@ def test_numbers_in_files_may_be_written_with_exponents(tmp_path):
         ("mpm", {"flip": 0.5}, r"flip = 0.5 is of no use with scheme = consistent \(allowed: 0, or scheme = usavg\)"),
         ("mpm", {"position_order": 1}, r"position_order = 1 is of no use.*allowed: 2, or scheme = usavg"),
         ("mpm", {"scheme": "usavg"}, r"affine = 1 is of no use with scheme = usavg \(allowed: 0\)"),
+        (
+            "mpm",
+            {"scheme": "usavg"},
+            r"affine = 1 .*; support = 0.05 .*; reach_ratio = 8 is of no use with scheme = usavg \(allowed: 0\)",
+        ),
         ("mpm", {"scheme": "usavg", "affine": 0.0}, r"support = 0.05 is of no use with scheme = usavg"),
         ("mpm", {"scheme": "usavg", "affine": 0.0, "support": 0.0}, r"reach_ratio = 8 is of no use with scheme"),
         ("mpm", {"reach_ratio": 3.0}, r"reach_ratio = 3 holds material .*allowed: 0, or at least 4"),
