@@ -23,7 +23,7 @@ from orthocut.run import run_case
 
 CUT = {"travel_ratio": 6, "window_ratio": 3, "length_ratio": 12, "modulus_tangent": "0 MPa"}
 LONG = {**CUT, "travel_ratio": 18, "window_ratio": 9, "length_ratio": 24}
-PAPER = {"scheme": "usavg", "affine": 0, "support": 0, "reach_ratio": 0}
+PAPER = {"scheme": "usavg", "grid_offset": 0, "affine": 0, "support": 0, "reach_ratio": 0}
 BLOCK = {"packing.width": "0.5 mm", "packing.height": "0.5 mm", "travel": "0.2 mm", "cut_depth": "0.1 mm"}
 TEST = {"packing.width": "0.5 mm", "packing.height": "1 mm", "grip_speed": "40 mm/s"}
 CALIBRATED = {"modulus": "79.5 GPa", "stiffness_ratio": 3.215, "strength_tensile": "72.77 MPa", "cohesion": "174 MPa"}

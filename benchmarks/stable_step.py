@@ -40,7 +40,7 @@ STEPS = 3000
 GROWTH = 10.0
 RANGE = (0.05, 4.0)
 WIDTH = 1.02
-PAPER = {"scheme": "usavg", "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
+PAPER = {"scheme": "usavg", "grid_offset": 0.0, "affine": 0.0, "support": 0.0, "reach_ratio": 0.0}
 MPM = {
     "default (APIC, support)": {},
     "PIC": {"affine": 0.0},

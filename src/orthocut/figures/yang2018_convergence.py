@@ -100,14 +100,18 @@ def _field(ax: Axes, cuts: Sequence[GlassRun], field: str) -> None:
     groups = [group for group in groups if len(group) >= DRAWN] or groups[:1]
     if not groups:
         ax.text(0.5, 0.5, "no series", transform=ax.transAxes, ha="center", color="0.5")
-    for group, marker, name in zip(groups, MARKERS, _names(groups, field), strict=False):
-        _name(ax, group, field, name)
+    names = _names(groups, field)
+    for group, marker, name in zip(groups, MARKERS, names, strict=False):
+        if name:
+            ax.plot([], [], f"{marker}-", color=BLACK, lw=0.6, label=name)
         places = np.array(list(group)) * VARIABLES[field].scale
-        for name, face in zip(FORCES, (QUANTITY[FORCES[0]], "white"), strict=True):
-            known = [interval(forces(runs, name)) for runs in group.values()]
+        for force, face in zip(FORCES, (QUANTITY[FORCES[0]], "white"), strict=True):
+            known = [interval(forces(runs, force)) for runs in group.values()]
             bars = [one.half if math.isfinite(one.half) else 0.0 for one in known]
-            style = {"color": QUANTITY[name], "mfc": face, "capsize": 2, "elinewidth": 0.8, "lw": 0.6}
+            style = {"color": QUANTITY[force], "mfc": face, "capsize": 2, "elinewidth": 0.8, "lw": 0.6}
             ax.errorbar(places, [one.mean for one in known], yerr=bars, fmt=f"{marker}-", **style)
+    if any(names):
+        ax.legend(loc="upper left", fontsize=6)
     if field in LOGARITHMIC and groups:
         ax.set_xscale("log")
         ticks = sorted({value * VARIABLES[field].scale for group in groups for value in group})
@@ -132,14 +136,6 @@ def _valued(name: str, value: float) -> str:
     variable = VARIABLES[name]
     unit = variable.display or variable.unit
     return f"{variable.long_name} {value * variable.scale:g}{'' if unit == '1' else f' {unit}'}"
-
-
-def _name(ax: Axes, group: dict[float, list[GlassRun]], field: str, name: str) -> None:
-    """Write the name of a series over its largest value's main force."""
-    value, runs = max(group.items())
-    top = interval(forces(runs, FORCES[0]))
-    place = value * VARIABLES[field].scale, top.mean + (top.half if math.isfinite(top.half) else 0.0)
-    ax.annotate(name, place, (0, 3), textcoords="offset points", ha="right", va="bottom", fontsize=5)
 
 
 def _replicates(ax: Axes, found: dict) -> None:
