@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError
 
 from orthocut.params.block import Block, ConfigError, describe, show
-from orthocut.params.case import fields
+from orthocut.params.case import fields, merge
 from orthocut.params.dem import FlatJoint, Modulus, Packing, Stress
 from orthocut.params.quantity import Number, Quantity
 from orthocut.params.text import read_yaml
@@ -78,20 +78,12 @@ def load_calibration(path: Path | None = None, values: Mapping[str, Any] | None 
     if not isinstance(data, dict):
         raise ConfigError(f"{source} = {show(data)}: must hold the fields of a calibration")
     for name, value in (values or {}).items():
-        data = _merge(data, _nested(name.split("."), value))
+        data = merge(data, _nested(name.split("."), value))
     try:
-        return DemCalibration.model_validate(_merge(DemCalibration().model_dump(mode="json"), data))
+        return DemCalibration.model_validate(merge(DemCalibration().model_dump(mode="json"), data))
     except ValidationError as error:
         raise describe(error, source, fields(DemCalibration)) from None
 
 
 def _nested(names: list[str], value: Any) -> Any:
     return {names[0]: _nested(names[1:], value)} if names else value
-
-
-def _merge(below: Mapping[str, Any], above: Mapping[str, Any]) -> dict[str, Any]:
-    merged = {**below}
-    for name, value in above.items():
-        both = isinstance(value, Mapping) and isinstance(merged.get(name), Mapping)
-        merged[name] = _merge(merged[name], value) if both else value
-    return merged

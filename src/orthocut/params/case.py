@@ -118,7 +118,7 @@ def validate(data: Mapping[str, Any], source: str = "case") -> Case:
         rest = {name: value for name, value in data.items() if name not in wish}
         return validate(_granted(kind, rest, wish, source), source)
     try:
-        case = KINDS[kind].model_validate(_merge(_defaults(kind), {**data, "kind": kind}))
+        case = KINDS[kind].model_validate(merge(_defaults(kind), {**data, "kind": kind}))
     except ValidationError as error:
         raise describe(error, source, _names(kind)) from None
     found = faults(case)
@@ -138,7 +138,7 @@ def _granted(kind: str, data: Mapping[str, Any], wish: Mapping[str, Any], source
     )
     if twice:
         raise ConfigError(f"{source}: {said}: also sets {', '.join(twice)} (allowed: leave these out)")
-    return _merge(chosen, data)
+    return merge(chosen, data)
 
 
 def _apart(chosen: Mapping[str, Any], given: Any) -> bool:
@@ -156,12 +156,12 @@ def _check_names(data: Mapping[Any, Any], source: str, depth: int = 1) -> None:
             _check_names(value, f"{source}: {shorten(name)}", depth + 1)
 
 
-def _merge(defaults: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, Any]:
-    """Defaults of a kind overlaid with what the user gave, block by block."""
-    merged = {**defaults}
-    for name, value in data.items():
+def merge(below: Mapping[str, Any], above: Mapping[str, Any]) -> dict[str, Any]:
+    """Raw fields overlaid with others, block by block."""
+    merged = {**below}
+    for name, value in above.items():
         both = isinstance(value, Mapping) and isinstance(merged.get(name), Mapping)
-        merged[name] = _merge(merged[name], value) if both else value
+        merged[name] = merge(merged[name], value) if both else value
     return merged
 
 
