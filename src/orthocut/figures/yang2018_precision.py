@@ -31,9 +31,10 @@ CAPTION = (
     "tool, by a straight fit over all speeds, weighted by packings, or that at the only speed there is; shaded up to "
     "the half-width of its own interval: what lies below cannot be told apart from no deviation. Each symbol differs "
     "from the cuts of that fit in what the legend names, a line is one setting with 1, 2, 4, 8, 16 and 32 packings; "
-    "beside its end stand the speed of the tool and what else is set. Bars: half-widths of setting and reference. "
-    "Line: settings than which no cheaper one has a smaller error. Size of the discs is no setting of the method "
-    "alone: the strength of the block changes with it; nor is damping: the force at zero speed may change with it."
+    "beside its end stand the speed of the tool and what else is set. Settings of fewer than three packings, and "
+    "several at once, stand in the table alone. Bars: half-widths of setting and reference. Line: settings than which "
+    "no cheaper one has a smaller error. Size of the discs is no setting of the method alone: the strength of the "
+    "block changes with it; nor is damping: the force at zero speed may change with it."
 )
 DIMS = ()
 FIELDS = {
@@ -55,6 +56,8 @@ KNOBS = {
 """Knob to marker and colour."""
 COUNTS = (1, 2, 4, 8, 16, 32)
 """Numbers of packings."""
+KNOWN = 3
+"""Fewest packings of a setting that is drawn, where there are such settings."""
 GAP = 0.05
 """Least distance of two names of lines over the height of a panel."""
 
@@ -65,9 +68,16 @@ class Ensemble:
 
     runs: list[GlassRun]
     knob: str
+    usual_speed: bool
+    """Whether the tool has the speed of most cuts."""
     words: str
     brief: str
     """The same in few signs."""
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether enough packings tell their spread, and one thing alone differs from most cuts."""
+        return len(self.runs) >= KNOWN and (self.usual_speed or self.knob == FIELDS["cut_speed"])
 
     @property
     def cost(self) -> float:
@@ -92,6 +102,12 @@ class Scene:
     ensembles: list[Ensemble]
     usual: list[Ensemble]
     """Those that differ from the commonest in the speed of the tool alone, by speed."""
+
+    @property
+    def drawn(self) -> list[Ensemble]:
+        """Ensembles that the picture shows: all, where few packings are all there is."""
+        known = [ensemble for ensemble in self.ensembles if ensemble.is_drawn]
+        return known if len(known) > 1 else self.ensembles
 
     @property
     def name(self) -> str:
@@ -131,7 +147,7 @@ def scenes_of(dataset: xr.Dataset) -> list[Scene]:
 @styled
 def draw(dataset: xr.Dataset) -> Figure:
     """Both forces of the cut of which most is known."""
-    found = [scene for scene in scenes_of(dataset) if len(scene.ensembles) > 1]
+    found = [scene for scene in scenes_of(dataset) if len(scene.drawn) > 1]
     figure = page(3.4, PAGE)
     if not found:
         nothing(figure.subplots(), "no cut with several settings and packings")
@@ -141,8 +157,8 @@ def draw(dataset: xr.Dataset) -> Figure:
     panels[0].set_ylabel("error of the mean force [%]")
     for ax, name in zip(panels, FORCES, strict=True):
         reference = scene.reference(name)
-        draw_settings(ax, [one for some in scene.ensembles for one in some.settings(name, reference)], reference, KNOBS)
-        for ensemble in scene.ensembles:
+        draw_settings(ax, [one for some in scene.drawn for one in some.settings(name, reference)], reference, KNOBS)
+        for ensemble in scene.drawn:
             colour = KNOBS[ensemble.knob][1]
             settings = ensemble.settings(name, reference)
             ax.plot(
@@ -151,12 +167,12 @@ def draw(dataset: xr.Dataset) -> Figure:
         ax.set_title(f"{NAMES[name]} force, {scene.name}", loc="left")
         ax.set_xlabel("run time of all packings on one core [s]")
     errors = [
-        one.error for name in FORCES for some in scene.ensembles for one in some.settings(name, scene.reference(name))
+        one.error for name in FORCES for some in scene.drawn for one in some.settings(name, scene.reference(name))
     ]
     panels[0].set_ylim(50 * min(errors), 200 * max(errors))
     for ax, name in zip(panels, FORCES, strict=True):
         _label_lines(ax, scene, name)
-    used = {ensemble.knob for ensemble in scene.ensembles}
+    used = {ensemble.knob for ensemble in scene.drawn}
     figure.legend(handles=handles(KNOBS, used), loc="outside upper center", ncols=4)
     return figure
 
@@ -165,9 +181,9 @@ def _label_lines(ax: Axes, scene: Scene, name: str) -> None:
     """Short names of the ensembles beside the ends of their lines, in their order, none on another."""
     low, high = np.log10(ax.get_ylim())
     reference = scene.reference(name)
-    ends = [np.log10(100 * one.settings(name, reference)[-1].error) for one in scene.ensembles]
+    ends = [np.log10(100 * one.settings(name, reference)[-1].error) for one in scene.drawn]
     place = -math.inf
-    for end, ensemble in sorted(zip(ends, scene.ensembles, strict=True), key=lambda pair: pair[0]):
+    for end, ensemble in sorted(zip(ends, scene.drawn, strict=True), key=lambda pair: pair[0]):
         place = max((end - low) / (high - low), place + GAP)
         style = {"transform": ax.transAxes, "color": KNOBS[ensemble.knob][1], "fontsize": 5, "va": "center"}
         ax.text(1.01, place, ensemble.brief, **style)
@@ -195,11 +211,12 @@ def _scene(groups: dict[tuple, list[GlassRun]]) -> Scene | None:
     """Scene of the ensembles of a cut; None without any."""
     if not groups:
         return None
-    commonest = tuple(Counter(column).most_common(1)[0][0] for column in list(zip(*groups, strict=True))[1:])
+    speed, *commonest = (Counter(column).most_common(1)[0][0] for column in zip(*groups, strict=True))
     ensembles = {
-        key: Ensemble(runs, _knob(key[1:], commonest), *_words(key, commonest)) for key, runs in sorted(groups.items())
+        key: Ensemble(runs, _knob(key[1:], commonest), key[0] == speed, *_words(key, commonest))
+        for key, runs in sorted(groups.items())
     }
-    usual = [ensemble for key, ensemble in ensembles.items() if key[1:] == commonest]
+    usual = [ensemble for key, ensemble in ensembles.items() if key[1:] == tuple(commonest)]
     return Scene(list(ensembles.values()), usual) if usual else None
 
 
@@ -218,5 +235,5 @@ def _words(key: Sequence[float], commonest: Sequence[float]) -> tuple[str, str]:
         if one != usual:
             value = f"{one * row.scale:.4g} {row.display or row.unit}".removesuffix(" 1")
             said.append(f"{row.long_name} {value}")
-            brief.append(value)
+            brief.append(value.replace("um", "µm"))
     return ", ".join(said), ", ".join(brief)
