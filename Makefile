@@ -66,7 +66,7 @@ publish: figures ## run the quick study and copy some pictures, tables and all r
 figures-paper: $(STAMP) ## draw the figures of a paper anew from their published datasets, in seconds (PAPER=nairn2015)
 	@$(BIN)/orthocut redraw results/published/$(PAPER) --output results/figures-paper
 
-publish-paper: ## run the study of a paper and copy its datasets, figures, tables and results (PAPER=nairn2015, yang2018)
+publish-paper: ## run the study of a paper and copy its datasets, figures and tables (PAPER=nairn2015, yang2018)
 	@$(MAKE) figures STUDY=$(PAPER)
 	@rm -rf results/published/$(PAPER) && mkdir -p results/published/$(PAPER)
 	@for path in results/datasets/$(PAPER)_*.nc results/figures/$(PAPER)_*.png results/tables/$(PAPER)_*; do \

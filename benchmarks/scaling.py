@@ -26,8 +26,10 @@ from orthocut.figures.save import save
 
 HEADER = ["method", "particles", "bonds", "cost [ns]", "beside another run [ns]", "memory of a particle [kB]"]
 POINTS, WHOLE, DISCS = "material point, most at rest", "material point, none at rest", "bond between discs"
-SIZES = {POINTS: (3, 6, 12, 23, 46, 92), WHOLE: (3, 6, 12, 23, 46, 92), DISCS: (1, 2, 4, 8, 15)}
+SIZES = {POINTS: (3, 6, 12, 23, 46), WHOLE: (3, 6, 12, 23, 46, 92), DISCS: (1, 2, 4, 8, 15)}
 """Points through the chip; blocks along either side of a square."""
+MOST = 46
+"""Most points through the chip; where more are asked for, the strip is longer instead."""
 STEPS = 20_000_000
 """Particles times steps of a repeat."""
 REPEATS = 3
@@ -41,11 +43,12 @@ def measure(method: str, size: int) -> tuple[int, int, float, float]:
     return particles, bonds, cost, 1024.0 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
-def _points(points_per_depth: int, reach_ratio: float) -> tuple[int, int, float]:
+def _points(size: int, reach_ratio: float) -> tuple[int, int, float]:
     from orthocut.experiments.speed_mpm import bench_mpm
 
-    steps = max(10, STEPS // (118 * points_per_depth**2))
-    found = bench_mpm(points_per_depth, steps, REPEATS, {"reach_ratio": reach_ratio})
+    steps = max(10, STEPS // (118 * size**2))
+    length = 30.0 * max(1.0, (size / MOST) ** 2)
+    found = bench_mpm(min(size, MOST), steps, REPEATS, {"reach_ratio": reach_ratio, "length_ratio": length})
     return found["points"], 0, found["ns_per_point_step"]
 
 

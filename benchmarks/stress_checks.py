@@ -14,6 +14,7 @@ import xarray as xr
 
 from orthocut.dem.pairs import close_pairs
 from orthocut.params.case import Case
+from orthocut.theory.hardening import yield_stress
 
 SNAPSHOTS = 11
 """Snapshots that checks need."""
@@ -132,17 +133,9 @@ def _momentum(case: Case, run: xr.Dataset) -> float:
 
 def _beyond_yield(case: Case, run: xr.Dataset, volume: np.ndarray) -> float:
     """Largest Kirchhoff stress over the yield stress at the plastic strain, less one."""
-    solid = case.material
-    if solid.hardening == "none":
+    if case.material.hardening == "none":
         return 0.0
-    strain = run["point_strain_plastic"].values[-1]
-    if solid.hardening == "linear":
-        limit = solid.stress_yield + solid.modulus_plastic * strain
-    elif solid.hardening == "ludwik":
-        limit = solid.stress_yield + solid.hardening_modulus * strain**solid.hardening_exponent
-    else:
-        fall = np.exp(-strain / solid.strain_saturation)
-        limit = solid.stress_saturation - (solid.stress_saturation - solid.stress_yield) * fall
+    limit = yield_stress(case.material, run["point_strain_plastic"].values[-1])
     return float(np.max(run["point_stress"].values[-1] * volume / limit)) - 1.0
 
 

@@ -101,9 +101,7 @@ NAMES = st.from_regex(r"[A-Za-z][A-Za-z0-9_-]{0,20}", fullmatch=True)
 NOT_WORDS = ("true", "false", "null", "nan", "inf")
 """What YAML does not read as words."""
 LINES = st.text(st.characters(codec="utf-8", categories=("L", "N", "P", "Zs", "So")), min_size=1, max_size=40).filter(
-    lambda text: (
-        text.isprintable() and text[0].isalpha() and text.lower() not in ("true", "false", "null", "nan", "inf")
-    )
+    lambda text: text.isprintable() and text[0].isalpha() and text.lower() not in NOT_WORDS
 )
 
 

@@ -108,7 +108,7 @@ def _discs(case, snapshots, random):
     return np.tile(x, (snapshots, 1)), np.tile(y, (snapshots, 1)), radius, first, second
 
 
-def _scene(case, snapshots, random, x, y, radius, first, second, crack_x, crack_y, duration):
+def _scene(snapshots, random, x, y, radius, first, second, crack_x, crack_y, duration):
     count = crack_x.size
     intact = np.ones((snapshots, first.size))
     intact[-1, random.random(first.size) < 0.03] = 0.0
@@ -163,7 +163,7 @@ def dem_cut_run(snapshots=2, cracks=80, wall_time=7.0, **values):
     crack_x = case.packing.width - case.travel * random.random(cracks)
     crack_y = floor + 0.05e-3 * random.standard_normal(cracks)
     duration = case.travel / case.cut_speed
-    data |= _scene(case, snapshots, random, x, y, radius, first, second, crack_x, crack_y, duration)
+    data |= _scene(snapshots, random, x, y, radius, first, second, crack_x, crack_y, duration)
     data["disc_fixed"] = (("disc",), (np.minimum(x[0], y[0]) < 2 * radius).astype(np.int8))
     data["tool_tip_snapshot"] = (("snapshot",), case.packing.width - np.linspace(0, case.travel, snapshots))
     return _finish(case, data, wall_time)
@@ -191,7 +191,7 @@ def dem_test_run(kind="dem_tension", cracks=40, wall_time=5.0, **values):
         "strength_ultimate": ((), stress.max()),
         "cracks_tension_total": ((), cracks // 2),
         "cracks_shear_total": ((), cracks // 3),
-        **_scene(case, 2, random, x, y, radius, first, second, crack_x, crack_y, 1e-3),
+        **_scene(2, random, x, y, radius, first, second, crack_x, crack_y, 1e-3),
     }
     if kind == "dem_toughness":
         data["toughness_fracture"] = ((), 0.45e6 * (1 + 0.02 * case.packing.seed))

@@ -10,7 +10,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from orthocut.cost import estimate_seconds
 from orthocut.io.checkpoint import Checkpoint
 from orthocut.io.datasets import failed
 from orthocut.io.events import Events
@@ -62,8 +61,8 @@ def simulate_job(job: Job, store: Store, events: Events) -> Entry:
     try:
         dataset = run_case(case, progress, checkpoint, job.snapshots)
     except CaseFailed as error:
-        dataset = failed(case, " ".join(str(error).split()), time.monotonic() - started)
-    entry = store.put(case, dataset, job.snapshots, estimate_seconds(case))
+        dataset = failed(case, " ".join(str(error).split()), checkpoint.seconds)
+    entry = store.put(case, dataset, job.snapshots)
     checkpoint.remove()
     seconds = time.monotonic() - started
     events.tell("done" if entry.status == "done" else "failed", case=job.case_id, seconds=seconds, reason=entry.reason)
@@ -95,12 +94,22 @@ def run_batch(
         After all other cases, if workers died of a case or results could not be written.
     """
     workers = min(workers, len(batch.jobs))
+    entries, lost = [], []
+
+    def lose(job: Job, why: str) -> None:
+        lost.append(f"{job.case_id}: {why}")
+        events.tell("lost", case=job.case_id, reason=why)
+
     if workers == 1 and cluster == "local":
-        return [simulate_job(job, store, events) for job in batch.jobs]
+        for job in batch.jobs:
+            try:
+                entries.append(simulate_job(job, store, events))
+            except Exception as error:
+                lose(job, f"{type(error).__name__}: {error}")
+        return _all(entries, lost, batch)
 
     from distributed import Client, as_completed
 
-    entries, lost = [], []
     logs = events.path.with_suffix("")
     with _cluster(cluster, workers, memory_mb, minutes, logs) as running, Client(running) as client:
         events.tell("dashboard", address=client.dashboard_link)
@@ -113,8 +122,12 @@ def run_batch(
             if future.status == "finished":
                 entries.append(future.result())
             else:
-                lost.append(f"{job.case_id}: {_why(future)}")
-                events.tell("lost", case=job.case_id, reason=lost[-1])
+                lose(job, _why(future))
+    return _all(entries, lost, batch)
+
+
+def _all(entries: list[Entry], lost: list[str], batch: Batch) -> list[Entry]:
+    """Return what became of the cases of a batch if none was lost."""
     if lost:
         raise Interrupted(f"{len(lost)} of {len(batch.jobs)} cases could not be run: {'; '.join(lost)}")
     return entries

@@ -145,6 +145,9 @@ class LogHandler(LogHandlerBase):
                 self.clock.advance(case, event["fraction"])
             elif event["event"] == "dashboard":
                 self._say(f"workers: {event['address']}")
+            elif event["event"] == "lost":
+                self.clock.lose(case)
+                self._say(f"LOST {self.clock.label(case)}: {event['reason']}")
             elif event["event"] in ("done", "failed"):
                 self._end(case, event)
         self._refresh()

@@ -28,6 +28,8 @@ class Clock:
         Number of cases that run at once.
     ended : dict
         Case id to run time [s], of all cases that are done or failed.
+    failed, lost : set of str
+        Cases that failed by their own numbers, and that ended without a result.
     """
 
     def __init__(self) -> None:
@@ -35,6 +37,7 @@ class Clock:
         self.cases: dict[str, tuple[str, float]] = {}
         self.jobs_total = self.jobs_done = 0
         self.failed: set[str] = set()
+        self.lost: set[str] = set()
         self.ended: dict[str, float] = {}
         self._running: dict[str, tuple[float, float]] = {}
 
@@ -64,16 +67,23 @@ class Clock:
     def finish(self, case: str, seconds: float, failed: bool = False) -> None:
         """Note the end of a case."""
         self._running.pop(case, None)
+        self.lost.discard(case)
         self.ended[case] = seconds
         if failed:
             self.failed.add(case)
 
+    def lose(self, case: str) -> None:
+        """Note that a case ended without a result."""
+        self._running.pop(case, None)
+        self.lost.add(case)
+
     @property
     def counts(self) -> str:
-        """Cases done, running and failed, in words."""
+        """Cases done, running, failed and lost, in words."""
         text = f"{len(self.ended)}/{max(len(self.cases), len(self.ended))} cases"
         text += f", {len(self._running)} running" if self._running else ""
-        return text + (f", {len(self.failed)} failed" if self.failed else "")
+        text += f", {len(self.failed)} failed" if self.failed else ""
+        return text + (f", {len(self.lost)} lost" if self.lost else "")
 
     def _scale(self, wanted: str) -> float:
         """Measured over predicted seconds of the finished cases of a kind; 1 before there are any."""
@@ -86,7 +96,7 @@ class Clock:
         scales = {name: self._scale(name) for name in {kind(case) for case in self.cases}}
         now, work = time.monotonic(), []
         for case, (_, seconds) in self.cases.items():
-            if case in self.ended:
+            if case in self.ended or case in self.lost:
                 continue
             expected = seconds * scales[kind(case)]
             if case in self._running:
@@ -98,7 +108,7 @@ class Clock:
 
     def left(self) -> str:
         """Return the time left in words, rounded as it deserves."""
-        if len(self.ended) >= len(self.cases):
+        if len(self.ended) + len(self.lost) >= len(self.cases):
             return "no simulations left"
         seconds = self.seconds_left()
         rounded = 5 * round(seconds / 5) if seconds < 120 else 30 * round(seconds / 30)

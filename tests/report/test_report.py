@@ -72,10 +72,10 @@ def page(tmp_path_factory):
         "glass": [dem_cut_run()],
     }
     for run in runs["cuts"] + runs["glass"]:
-        store.put(validate(json.loads(run.attrs["case"])), run, 6, 1.0)
+        store.put(validate(json.loads(run.attrs["case"])), run, 6)
     case = make_case("mpm_cutting", cut_depth="2 mm", points_per_depth=4)
     hole = failed(case, "the chip <sinks> into the base", 1.0)
-    store.put(case, hole, 0, 1.0)
+    store.put(case, hole, 0)
     runs["cuts"].append(hole)
     for figure, sweep in (("nairn2015_fig08", "cuts"), ("nairn2015_animation", "cuts"), ("yang2018_table4", "glass")):
         dataset = collect(runs[sweep])

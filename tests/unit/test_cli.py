@@ -206,7 +206,7 @@ def test_unknown_options_exit_with_2():
 @pytest.mark.parametrize(
     ("error", "code", "words"),
     [
-        (KeyboardInterrupt(), 130, "interrupted, no file was written"),
+        (KeyboardInterrupt(), 130, "interrupted; no file is half-written"),
         (Diverged("energy is not finite\nat 3 ms"), 1, "error: energy is not finite at 3 ms"),
         (OSError(28, "No space left on device"), 1, "No space left"),
         (MemoryError(), 1, "error: the case is too large for the memory of this machine\n"),
@@ -282,7 +282,7 @@ def test_study_expand_and_status(simulated, tmp_path):
     status = json.loads(call("study", "status", "s.yaml", "--json").stdout)
     assert status["counts"] == {"done": 0, "failed": 0, "stale": 0, "missing": 2}
     first = validate(report["cases"][0]["case"])
-    Store("results/store").put(first, failed(first, "it blew up", 0.1), 0, 1.0)
+    Store("results/store").put(first, failed(first, "it blew up", 0.1), 0)
     status = json.loads(call("study", "status", "s.yaml", "--json").stdout)
     assert status["counts"] == {"done": 0, "failed": 1, "stale": 0, "missing": 1}
     assert "it blew up" in call("study", "status", "s.yaml").stdout

@@ -58,7 +58,7 @@ def test_what_was_not_saved_is_not_promised(tmp_path, stop):
     stop(KeyboardInterrupt(), every=60.0)
     first = invoke(tmp_path / "cut.nc")
     assert first.exit_code == 130
-    assert "interrupted, no file was written" in first.output
+    assert "interrupted; no file is half-written" in first.output
     assert "goes on" not in first.output
     assert list(tmp_path.iterdir()) == []
 

@@ -1,8 +1,10 @@
 """``orthocut store gc``: what a study wants stays, all else goes."""
 
 import json
+import re
 import subprocess
 import sys
+import tarfile
 
 import pytest
 import yaml
@@ -23,9 +25,11 @@ def shelf(tmp_path):
     other = wanted.model_copy(update={"packing": wanted.packing.model_copy(update={"seed": 77})})
     folder = store.root / FOLDER
     folder.mkdir(parents=True)
-    keep, drop = [], [store.root / "x.checkpoint.npz"]
+    keep, drop = [], [store.root / "x.checkpoint.npz", store.root / "x.snapshots.nc", folder / ".packing-x.npy.1.part"]
+    drop += [store.root / ".x.checkpoint.npz.1.part", store.root / ".import-x" / "y.nc"]
+    (store.root / ".import-x").mkdir()
     for case, files in ((wanted, keep), (other, drop)):
-        files += [store.path(store.put(case, dem_cut_run(), 0, 1.0).key), shelf_path(folder, case.packing)]
+        files += [store.path(store.put(case, dem_cut_run(), 0).key), shelf_path(folder, case.packing)]
     for path in (*keep, *drop):
         path.touch()
     study = tmp_path / "one.yaml"
@@ -45,11 +49,14 @@ def test_gc_removes_what_no_case_of_the_study_wants(shelf):
     gc(store, study)
     assert all(path.exists() for path in keep)
     assert not any(path.exists() for path in drop)
+    assert not (store.root / ".import-x").exists()
 
 
 def test_gc_on_trial_names_files_and_leaves_them(shelf):
     store, study, keep, drop = shelf
     result = gc(store, study, "--dry-run")
+    lines = result.stdout.splitlines()
+    assert len(lines) == len(set(lines))
     named = set(result.output.split())
     assert {str(path) for path in drop} <= named
     assert not named & {str(path) for path in keep}
@@ -69,3 +76,14 @@ def test_gc_waits_for_workflows_that_use_the_store(shelf):
     assert all(path.exists() for path in (*keep, *drop))
     gc(store, study)
     assert not any(path.exists() for path in drop)
+
+
+@pytest.mark.parametrize("name", ["results.zip", "results.tar.gz"])
+def test_what_is_no_archive_of_results_is_refused(name, tmp_path):
+    source = tmp_path / name
+    with tarfile.open(source, "w:gz") as archive:
+        archive.add(__file__, arcname="x.nc")
+    source.write_bytes(source.read_bytes()[:-40])
+    result = CliRunner().invoke(app, ["store", "import", str(source), "--store", str(tmp_path / "store")])
+    assert result.exit_code == 2
+    assert re.search(f"error: .*{name}: is not ", result.output)

@@ -165,6 +165,19 @@ def test_handler_is_brief_about_many_quick_cases_but_names_each_failure(handler,
     assert len(lines) == 4
 
 
+def test_handler_names_cases_that_were_lost_and_goes_on_without_them(handler, now, tmp_path, capsys):
+    begin(handler, tmp_path, **{"mpm-a": "case a", "mpm-b": "case b"})
+    for case in ("mpm-a", "mpm-b"):
+        tell(tmp_path, "batch-mpm-1", f'{{"event": "start", "case": "{case}"}}\n')
+    tell(tmp_path, "batch-mpm-1", '{"event": "lost", "case": "mpm-a", "reason": "OSError: no room"}\n')
+    tell(tmp_path, "batch-mpm-1", '{"event": "done", "case": "mpm-b", "seconds": 20.0, "reason": ""}\n')
+    send(handler, event=LogEvent.JOB_FINISHED, job_id=7)
+    handler.close()
+    lines = capsys.readouterr().err.splitlines()
+    assert "LOST case a: OSError: no room" in lines
+    assert "case b  (20 s; 1/2 cases, 1 lost, no simulations left)" in lines
+
+
 def test_handler_drops_chatter_and_keeps_the_rest(handler, capsys):
     for message in ("Select jobs to execute...", "Building DAG of jobs...", ""):
         send(handler, message)

@@ -23,16 +23,16 @@ def store(tmp_path):
     return Store(tmp_path / "store")
 
 
-def put(store, run, snapshots=6, expected=2.0):
+def put(store, run, snapshots=6):
     case = validate(json.loads(run.attrs["case"]))
-    return case, store.put(case, run, snapshots, expected)
+    return case, store.put(case, run, snapshots)
 
 
 def test_a_result_comes_back_as_it_was(store):
     run = mpm_run()
     _, entry = put(store, run)
     assert entry == store.entry(entry.key)
-    assert (entry.status, entry.reason, entry.seconds, entry.expected) == ("done", "", 3.5, 2.0)
+    assert (entry.status, entry.reason, entry.seconds) == ("done", "", 3.5)
     back = store.read(entry.key, snapshots=True)
     assert set(back.variables) == set(run.variables)
     assert float(back["force_cutting_mean"]) == float(run["force_cutting_mean"])
@@ -69,7 +69,7 @@ def test_any_reader_of_netcdf_opens_the_files(store, run):
 
 def test_a_failed_case_is_a_result_until_it_is_tried_again(store):
     case = make_case("mpm_cutting")
-    entry = store.put(case, failed(case, "it blew up", 1.5), 6, 2.0)
+    entry = store.put(case, failed(case, "it blew up", 1.5), 6)
     assert (entry.status, entry.reason) == ("failed", "it blew up")
     assert store.holds(entry.key, snapshots=6)
     assert store.attempts() == {}

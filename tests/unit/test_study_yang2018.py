@@ -15,7 +15,6 @@ from orthocut.plan import load_plan
 ROOT = Path(__file__).parents[2]
 STUDY = ROOT / "workflow" / "config" / "yang2018.yaml"
 CALIBRATED = ROOT / "results" / "published" / "calibration" / "paper_size" / "joint.yaml"
-FOUR = ("shallow", "shallow_grooved", "deep", "deep_grooved")
 
 
 @pytest.fixture(scope="module")

@@ -38,10 +38,10 @@ def test_snapshots_are_wanted_by_figures_that_draw_them(plan):
 
 def test_states(plan, store, monkeypatch):
     cuts = [case for case in plan.cases.values() if case.kind == "mpm_cutting"]
-    store.put(cuts[0], mpm_run(cut_depth="0.5 mm"), 0, 1.0)
-    store.put(cuts[1], failed(cuts[1], "it blew up", 0.1), 0, 1.0)
+    store.put(cuts[0], mpm_run(cut_depth="0.5 mm"), 0)
+    store.put(cuts[1], failed(cuts[1], "it blew up", 0.1), 0)
     monkeypatch.setattr("orthocut.params.identity.digest_numbers", lambda kind: "0" * 16)
-    store.put(cuts[2], mpm_run(cut_depth="2 mm"), 0, 1.0)
+    store.put(cuts[2], mpm_run(cut_depth="2 mm"), 0)
     monkeypatch.undo()
     found = survey(plan, store)
     assert found.counts == {"done": 1, "failed": 1, "stale": 1, "missing": 4}
@@ -52,7 +52,7 @@ def test_states(plan, store, monkeypatch):
 
 def test_snapshots_that_a_new_figure_wants_are_missing(plan, store):
     cut = next(case for case in plan.cases.values() if case.kind == "mpm_cutting")
-    store.put(cut, mpm_run(cut_depth="0.5 mm"), 0, 1.0)
+    store.put(cut, mpm_run(cut_depth="0.5 mm"), 0)
     assert survey(plan, store).counts["done"] == 1
     plan.snapshots.update(dict.fromkeys(plan.cases, 6))
     assert survey(plan, store).counts["done"] == 0
@@ -62,7 +62,7 @@ def test_predictions_follow_what_was_measured(plan, store):
     cuts = [case for case in plan.cases.values() if case.kind == "mpm_cutting"]
     for cut, depth in zip(cuts[:2], (0.5, 1), strict=True):
         run = mpm_run(cut_depth=f"{depth} mm", wall_time=3 * estimate_seconds(cut))
-        store.put(cut, run, 0, estimate_seconds(cut))
+        store.put(cut, run, 0)
     found = survey(plan, store)
     assert found.factors == {"mpm_cutting": pytest.approx(3)}
     last = next(case_id for case_id, case in plan.cases.items() if case == cuts[2])

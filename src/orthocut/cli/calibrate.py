@@ -53,7 +53,8 @@ def calibrate(
     from orthocut.calibration.laboratory import laboratory
     from orthocut.calibration.outcome import properties, save
     from orthocut.calibration.trial import FITTED, REACHED, goal_of
-    from orthocut.io.store import Store
+    from orthocut.io.files import held
+    from orthocut.io.store import IN_USE, Store
 
     output.mkdir(parents=True, exist_ok=True)
     goal = goal_of(calibration)
@@ -69,7 +70,10 @@ def calibrate(
 
     if not quiet:
         typer.echo(f"evaluation: {' '.join((*FITTED, *REACHED))}", err=True)
-    with laboratory(Store(store), output / "progress.jsonl", workers) as simulate:
+    with (
+        held(store / IN_USE, shared=True),
+        laboratory(Store(store), output / "progress.jsonl", workers) as simulate,
+    ):
         found = fit(calibration, simulate, report)
     paths = save(calibration, found, output)
     best = found.trials[found.best]

@@ -34,7 +34,7 @@ def guarded(verb: Callable[..., None]) -> Callable[..., None]:
         except BrokenPipeError:  # whoever read our output, such as `head`, has seen enough
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         except KeyboardInterrupt:
-            fail("interrupted, no file was written", INTERRUPTED)
+            fail("interrupted; no file is half-written", INTERRUPTED)
         except MemoryError:
             fail("the case is too large for the memory of this machine", FAILED)
         except (RuntimeError, OSError, FloatingPointError) as error:

@@ -155,7 +155,7 @@ def collect_garbage(
             for path in doomed:
                 typer.echo(str(path))
                 if not dry_run:
-                    path.unlink(missing_ok=True)
+                    path.rmdir() if path.is_dir() else path.unlink(missing_ok=True)
     except BlockingIOError as error:
         raise ConfigError(f"--store {root}: {error.strerror} (allowed: when that has ended)") from None
     typer.echo(f"{len(doomed)} files {'would be ' if dry_run else ''}removed", err=True)
@@ -185,15 +185,18 @@ def import_(
 ) -> None:
     """Copy results, checked, into the store; what is there stays. Figures are then drawn without simulations."""
     import tarfile
+    import zlib
 
     from orthocut.io.store import Store
-    from orthocut.io.transfer import import_results
+    from orthocut.io.transfer import ARCHIVES, import_results, is_archive
 
     if not source.exists():
         raise ConfigError(f"{source}: cannot be read: no such file or folder")
+    if not source.is_dir() and not is_archive(source):
+        raise ConfigError(f"{source}: is not what `export` makes (allowed: a folder, or {', '.join(ARCHIVES)})")
     try:
         done = import_results(source, Store(root))
-    except tarfile.TarError as error:
+    except (tarfile.TarError, EOFError, zlib.error) as error:
         raise ConfigError(f"{source}: is not an archive of results: {error}") from None
     _tell(done, "imported")
 

@@ -22,7 +22,7 @@ from orthocut.io.files import replacing
 
 CAPTION = (
     "One cut: the workpiece and the tool from start to end, and the forces on the tool. Material points are shaded by "
-    "equivalent stress, from white at zero to black at twice the yield stress; lines between discs are cracks. "
+    "equivalent stress, from light grey at zero to black at twice the yield stress; lines between discs are cracks. "
     "The animation of the same name shows all snapshots."
 )
 STILLS = 4

@@ -56,7 +56,7 @@ def draw(dataset: xr.Dataset) -> Figure:
         for run, size in zip(runs, sizes, strict=True):
             draw_force(force, run, size, colour, symbol)
             loss.plot(size, _share_lost(run), symbol, color=colour, mfc="white" if touches(run) else colour)
-        if len(runs) > 2:
+        if len(runs) > 2 and len(set(sizes)) > 1:
             errors = [over_toughness(run, "force_cutting_error") for run in runs]
             fit = extrapolate(sizes, [over_toughness(run) for run in runs], errors)
             ends = np.array([0.0, sizes.max()])

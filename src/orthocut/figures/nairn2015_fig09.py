@@ -17,6 +17,7 @@ from orthocut.figures.scene import draw_tool, frame, last_snapshot, parallelogra
 from orthocut.figures.snapshots import with_points
 from orthocut.figures.sweep import cut_depth, touches
 from orthocut.io.collect import case_of
+from orthocut.theory.hardening import yield_stress
 
 CAPTION = (
     "Tool tip and crack tip in a steady cut, after Nairn (2015), Fig. 9: the deepest cut that touches (left) and the "
@@ -89,7 +90,7 @@ def state_of_points(run: xr.Dataset, snapshot: int) -> np.ndarray:
     deformation = frame_["point_deformation"].values.reshape(-1, 2, 2)
     kirchhoff = frame_["point_stress"].values * np.linalg.det(deformation)
     strain = frame_["point_strain_plastic"].values
-    limit = material.stress_yield + material.modulus_plastic * strain
+    limit = yield_stress(material, strain)
     state = np.where(kirchhoff >= AT_YIELD * limit, 2, np.where(strain > STRAIN_YIELDED, 1, 0))
     return state[np.isfinite(frame_["point_x"].values) & np.isfinite(deformation).all(axis=(1, 2))]
 

@@ -78,16 +78,13 @@ def _transition_fit(cuts: Sequence[Cut]) -> tuple[Fit | None, str]:
 
 def friction_moves_the_transition_deeper(cuts: Sequence[Cut]) -> Finding | None:
     """The depth of transition at 30 degrees does not fall with friction anywhere, and rises in all."""
-    return _moves(
-        cuts, "friction", lambda cut: cut.case.tool.friction, {"friction": None}, +1, "nairn2015_fig11", "μ = {:g}"
-    )
+    return _moves(cuts, lambda cut: cut.case.tool.friction, {"friction": None}, +1, "nairn2015_fig11", "μ = {:g}")
 
 
 def hardening_moves_the_transition_thinner(cuts: Sequence[Cut]) -> Finding | None:
     """The depth of transition at 30 degrees does not rise with the tangent modulus anywhere, and falls in all."""
     return _moves(
         cuts,
-        "hardening",
         lambda cut: 1e-6 * cut.case.material.modulus_tangent,
         {"tangent": None},
         -1,
@@ -100,7 +97,6 @@ def weak_interface_moves_the_transition_thinner(cuts: Sequence[Cut]) -> Finding 
     """The depth of transition at 30 degrees is smaller at a cohesive stress of 10 MPa than at 40 MPa."""
     return _moves(
         cuts,
-        "strength",
         lambda cut: 1e-6 * cut.case.interface.strength,
         {"strength": None},
         +1,
@@ -110,7 +106,7 @@ def weak_interface_moves_the_transition_thinner(cuts: Sequence[Cut]) -> Finding 
 
 
 def _moves(
-    cuts: Sequence[Cut], what: str, value: Callable[[Cut], float], free: dict, sign: int, figure: str, words: str
+    cuts: Sequence[Cut], value: Callable[[Cut], float], free: dict, sign: int, figure: str, words: str
 ) -> Finding | None:
     """Whether the transition moves one way with a parameter; a series of one regime counts as it bounds it."""
     groups: dict[float, list[Cut]] = {}

@@ -247,6 +247,7 @@ def _panel(ax: Axes, rows: Sequence[Row]) -> None:
     for shift, name, index in ((-0.15, FORCES[0], 0), (0.15, FORCES[1], 1)):
         places = np.arange(len(rows)) + shift
         values = np.array([row.factors[index].mean for row in rows])
+        values = np.where(values > 0, values, np.nan)  # a force that changes its sign has no place on this axis
         half = np.nan_to_num([row.factors[index].half for row in rows])
         low = np.minimum(half, 0.9 * values)  # a bar that reaches zero has no end on this axis
         face = QUANTITY[name] if index == 0 else "white"

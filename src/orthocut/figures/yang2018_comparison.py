@@ -32,12 +32,12 @@ def draw(dataset: xr.Dataset) -> Figure:
     found = conditions(cuts_of(dataset))
     figure = page(2.9, PAGE)
     raw, width = figure.subplots(1, 2)
-    if not found:
+    groups = [(cut, name) for cut in found if cut in SIMULATION for name in FORCES]
+    if not groups:
         nothing(raw)
         nothing(width)
         return figure
 
-    groups = [(cut, name) for cut in found if cut in SIMULATION for name in FORCES]
     raw_data = [_series(groups, found, 1.0, 1.0), _series(groups, found, WIDTHS["experiment"], 1.0)]
     for ax, series in zip((raw, width), raw_data, strict=True):
         _panel(ax, groups, series)

@@ -34,7 +34,7 @@ from orthocut.variables import VARIABLES
 __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
 
 CAPTION = (
-    "Mean cutting force (filled) and thrust force (open) of cuts of glass over the speed of the tool, the local "
+    "Mean main force (filled) and thrust force (open) of cuts of glass over the speed of the tool, the local "
     "damping, the smallest radius of the discs and the time step; runs of a series differ in nothing else but the "
     "packing. Bars: 95 % confidence intervals by Student's t. Then the half-width of such an interval over the mean, "
     "for the first packings, with the 10 % that are wanted; and means over the travel up to a place. The table "

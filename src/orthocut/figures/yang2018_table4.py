@@ -14,7 +14,7 @@ from orthocut.figures.canvas import PAGE, page, styled
 from orthocut.figures.confidence import interval, needed
 from orthocut.figures.palette import BLACK, QUANTITY
 from orthocut.figures.tables import Table
-from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, SIMULATION, WIDTHS, mean
+from orthocut.figures.yang2018_paper import EXPERIMENT, FORCES, NAMES, SIMULATION, WIDTHS, mean
 from orthocut.figures.yang2018_runs import condense, conditions, cuts_of, early, forces
 
 __all__ = ["CAPTION", "DIMS", "condense", "draw", "tabulate"]
@@ -89,7 +89,7 @@ def tabulate(dataset: xr.Dataset) -> Table:
         listed = [" ".join(f"{value:.2f}" for value in data) for data in (ours, paper)]
         rows.append(
             [
-                *(f"{cut[0]:g}", "grooved" if cut[1] else "regular", name.removeprefix("force_"), listed[0]),
+                *(f"{cut[0]:g}", "grooved" if cut[1] else "regular", NAMES[name], listed[0]),
                 *(known.count, known.mean, known.half, 100 * known.relative, needed(ours, GOAL), known.spread),
                 *interval(early(runs, name))[:2],
                 *(*others, _mean([run["air_share"] for run in runs]), listed[1], reference),

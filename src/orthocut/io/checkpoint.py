@@ -84,11 +84,6 @@ class Checkpoint:
             self._last = self.clock()
         return True
 
-    @property
-    def resumed(self) -> bool:
-        """Whether the run goes on from an earlier one."""
-        return self._earlier > 0
-
     def remove(self) -> None:
         """Remove the file when the result is there."""
         self.path.unlink(missing_ok=True)

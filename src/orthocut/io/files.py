@@ -73,9 +73,9 @@ def hold(path: str | Path, shared: bool = False) -> None:
 
 
 @contextmanager
-def held(path: str | Path) -> Iterator[None]:
+def held(path: str | Path, shared: bool = False) -> Iterator[None]:
     """Lock a file as `hold` does, for as long as the context lasts."""
-    with _lock(Path(path), shared=False):
+    with _lock(Path(path), shared):
         yield
 
 

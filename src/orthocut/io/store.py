@@ -39,8 +39,6 @@ class Entry(NamedTuple):
     """Why the case failed; empty if it did not."""
     seconds: float
     """Run time on one core [s]."""
-    expected: float
-    """Run time by the cost model before it is fitted to a machine [s]."""
 
 
 class Store:
@@ -73,7 +71,7 @@ class Store:
     def entry(self, key: str) -> Entry | None:
         """Check a result; None if there is none, or if it was broken and has been set aside."""
         facts = self._check(self.path(key))
-        return None if facts is None else Entry(key=key, **facts)
+        return None if facts is None else Entry(key, *(facts[name] for name in Entry._fields[1:]))
 
     def snapshots(self, key: str) -> int:
         """Check the snapshots of a result and return how many there are, 0 if none."""
@@ -85,7 +83,7 @@ class Store:
         entry = self.entry(key)
         return entry is not None and (entry.status == "failed" or self.snapshots(key) >= snapshots)
 
-    def put(self, case: Block, dataset: xr.Dataset, snapshots: int, expected: float) -> Entry:
+    def put(self, case: Block, dataset: xr.Dataset, snapshots: int) -> Entry:
         """Write the result of a case.
 
         Parameters
@@ -95,8 +93,6 @@ class Store:
             As `orthocut.run.run_case` or `orthocut.io.datasets.failed` returns it.
         snapshots : int
             Number of snapshots that were asked for; 0 writes no file for them.
-        expected : float
-            Run time by the cost model before it is fitted [s].
 
         Raises
         ------
@@ -111,7 +107,6 @@ class Store:
             "status": dataset.attrs["status"],
             "reason": dataset.attrs.get("failure", ""),
             "seconds": float(dataset.attrs["wall_time_s"]),
-            "expected": expected,
         }
         self._write(small, self.path(key), facts)
         return Entry(key=key, **facts)
@@ -141,11 +136,14 @@ class Store:
         return counts
 
     def remains(self) -> Iterator[Path]:
-        """Files that killed processes left, checkpoints and what was set aside."""
-        if self.root.is_dir():
-            yield from sorted(self.root.glob(".*.part"))
-            yield from sorted(self.root.glob(f"*{CHECKPOINT}*"))
-            yield from sorted((self.root / ASIDE).glob("*"))
+        """Files that killed processes left, checkpoints, snapshots without a result and what was set aside."""
+        yield from sorted(self.root.glob("**/.*.part"))
+        yield from sorted(self.root.glob(f"[!.]*{CHECKPOINT}*"))
+        for folder in sorted(self.root.glob(".import-*")):
+            yield from (*sorted(folder.glob("[!.]*")), folder)
+        snapshots = sorted(self.root.glob(f"[!.]*{SNAPSHOTS}"))
+        yield from (path for path in snapshots if not self.path(path.name.removesuffix(SNAPSHOTS)).exists())
+        yield from sorted((self.root / ASIDE).glob("*"))
 
     def _write(self, dataset: xr.Dataset, path: Path, facts: dict[str, Any]) -> None:
         with replacing(path) as temporary:

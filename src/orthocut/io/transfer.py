@@ -60,7 +60,7 @@ def import_results(source: Path, store: Store) -> Transfer:
 
     Raises
     ------
-    tarfile.TarError
+    tarfile.TarError, EOFError, zlib.error
         If the archive is damaged or holds names that are not those of plain files.
     """
     if not is_archive(source):

@@ -50,7 +50,7 @@ class DemCalibration(Block):
     strength_compression: Stress = 330e6
     """Unconfined compressive strength to reach."""
     tolerance: Annotated[float, Number(1e-3, 0.2)] = 0.02
-    """Largest relative deviation of the mean over the packings from any of the four."""
+    """Largest deviation of the mean over the packings from any of the four, as a logarithm of the ratio."""
     slope_step: Annotated[float, Number(0.01, 0.3)] = 0.1
     """Relative change of a parameter to either side for its influence on the properties."""
     uncertainty: bool = True

@@ -13,8 +13,9 @@ from orthocut.params.size import particles, steps
 
 if TYPE_CHECKING:
     from orthocut.params.case import Case
-    from orthocut.params.dem import DemCutting, FlatJoint, Packing
+    from orthocut.params.dem import DemCutting, DemTension, FlatJoint, Packing
     from orthocut.params.dem_toughness import DemToughness
+    from orthocut.params.mpm import MpmCutting
 
 MAX_PARTICLES = 5_000_000
 """Most material points or discs: some 40 GB of memory."""
@@ -31,17 +32,18 @@ _ROUNDING = 1e-9
 
 def faults(case: Case) -> list[str]:
     """What is wrong with a case whose fields are all in range: field, value, what is allowed; empty if nothing is."""
-    return [*_grains(case), *_size(case)]
+    return [*(_path(case) if case.kind == "mpm_cutting" else _grains(case)), *_size(case)]
 
 
 def _grains(case: Case) -> Iterator[str]:
-    if case.kind.startswith("dem"):
-        yield from _vessel(case.packing)
-        yield from _step(case.joint, case.packing)
+    yield from _vessel(case.packing)
+    yield from _step(case.joint, case.packing)
     if case.kind == "dem_cutting":
         yield from _cut(case)
     if case.kind == "dem_toughness":
         yield from _crack(case)
+    if case.kind in ("dem_tension", "dem_toughness"):
+        yield from _grips(case)
 
 
 def _vessel(packing: Packing) -> Iterator[str]:
@@ -109,6 +111,30 @@ def _crack(case: DemToughness) -> Iterator[str]:
         yield (
             f"crack_ratio = {case.crack_ratio:g} is a crack of {_mm(case.crack_length)} "
             f"(allowed: {math.ceil(100 * least) / 100:g} or more, {MIN_CRACK} of the largest discs)"
+        )
+
+
+def _grips(case: DemTension | DemToughness) -> Iterator[str]:
+    largest = case.packing.radius_min * case.packing.radius_ratio
+    grip = case.grip_ratio * case.packing.height
+    if _less(grip, largest):
+        yield (
+            f"grip_ratio = {case.grip_ratio:g} are grips of {_mm(grip)}, which may hold no disc "
+            f"(allowed: {math.ceil(1e3 * largest / case.packing.height) / 1e3:g} or more, the largest radius)"
+        )
+
+
+def _path(case: MpmCutting) -> Iterator[str]:
+    notch, path, length = case.workpiece.notch_ratio, case.workpiece.path_ratio, case.workpiece.length_ratio
+    if not _less(notch, case.travel_ratio):
+        yield (
+            f"workpiece.notch_ratio = {notch:g} leaves nothing to cut "
+            f"(allowed: less than travel_ratio = {case.travel_ratio:g})"
+        )
+    if not _less(path, length):
+        yield (
+            f"workpiece.path_ratio = {path:g} is no shorter than the workpiece "
+            f"(allowed: 0 for all of it, or less than length_ratio = {length:g})"
         )
 
 

@@ -29,25 +29,20 @@ class Forces:
     reason: str
     """Why there is no solution; empty when there is one."""
 
-    @property
-    def solved(self) -> bool:
-        """Whether the model has a solution."""
-        return not self.reason
-
 
 def thrust_ratio(rake_angle, friction):
     """Thrust over cutting force of a chip that slides on the rake face, tan(atan(friction) - rake_angle).
 
     Parameters
     ----------
-    rake_angle : float or array
+    rake_angle : float
         Rake angle [rad].
-    friction : float or array
+    friction : float
         Coulomb coefficient of tool and chip [-].
 
     Returns
     -------
-    float or array
+    float
         Z [-]; negative when the tool lifts the chip.
 
     Notes

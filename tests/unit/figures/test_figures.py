@@ -1,17 +1,20 @@
 """Every figure from synthetic runs: labels with units, holes, whole files, the same bytes again."""
 
 import itertools
+import json
 import re
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
 from matplotlib.text import Text
-from synthetic import dem_cut_run, dem_test_run, failed, mpm_run
+from synthetic import dem_cut_run, dem_test_run, mpm_run
 
 from orthocut.figures import registry
 from orthocut.figures.save import save
 from orthocut.io.collect import collect
+from orthocut.io.datasets import failed
+from orthocut.params.case import validate
 
 COARSE = {"numerics.points_per_depth": 3}
 BIG = {"packing.radius_min": "40 um"}
@@ -145,11 +148,16 @@ def test_axes_are_named_with_units(name):
 def test_failed_and_missing_runs_are_holes(name):
     good = runs_for(name)
     other = mpm_run(snapshots=0, cut_depth="4 mm") if name in SWEEPS else good.pop()
-    some = collect([failed(other), *good])
-    none = collect([failed(run) for run in (other, *good)])
-    for dataset in (some, none, collect([])):
-        figure = registry.draw(name, dataset)
-        figure.draw_without_rendering()
+    some = collect([broken(other), *good])
+    none = collect([broken(run) for run in (other, *good)])
+    for dataset in (some, none):
+        texts = [text.get_text() for text in texts_of(registry.draw(name, dataset))]
+        assert any("diverged at last" in text for text in texts)
+    registry.draw(name, collect([])).draw_without_rendering()
+
+
+def broken(run):
+    return failed(validate(json.loads(run.attrs["case"])), "diverged at last", 1.0)
 
 
 def texts_of(figure):
@@ -182,7 +190,27 @@ def all_kinds():
 
 @pytest.mark.parametrize("name", DISTINCT)
 def test_runs_of_other_kinds_do_no_harm(name, all_kinds):
-    registry.draw(name, all_kinds)
+    registry.draw(name, all_kinds).draw_without_rendering()
+
+
+def test_cuts_of_one_particle_size_have_no_line_to_none():
+    cuts = [mpm_run(snapshots=0, rake_angle=f"{angle} deg") for angle in (15, 30, 40)]
+    registry.draw("nairn2015_fig03b", collect(cuts)).draw_without_rendering()
+
+
+def test_cuts_of_depths_that_the_paper_lacks_have_nothing_to_compare_with():
+    condense = registry.condense("yang2018_fig17")
+    cuts = [dem_cut_run(**BIG, **{"cut_depth": "0.15 mm", "packing.seed": seed}) for seed in (1, 2, 3)]
+    dataset = collect([condense(cut) if condense else cut for cut in cuts])
+    registry.draw("yang2018_fig17", dataset).draw_without_rendering()
+
+
+def test_a_force_that_changes_its_sign_is_left_out():
+    runs = runs_for("yang2018_causes")
+    for run in runs:
+        if "joint_damping" in run and float(run["joint_damping"]) == 0.3:
+            run["force_thrust_mean"] = -run["force_thrust_mean"]
+    registry.draw("yang2018_causes", collect(runs)).draw_without_rendering()
 
 
 @pytest.mark.parametrize("name", ["nairn2015_fig05", "nairn2015_fig07", "nairn2015_fig08", "yang2018_fig11"])

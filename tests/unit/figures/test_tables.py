@@ -42,7 +42,7 @@ def test_table_4_compares_means_of_replicates_with_the_paper():
     lost = failed(dem_cut_run(**BIG, **{"packing.seed": 3}))
     table = registry.tabulate("yang2018_table4", collect([*runs, lost]))
     assert len(table.rows) == 8
-    row = next(row for row in table.rows if row[:3] == ["0.1", "regular", "cutting"])
+    row = next(row for row in table.rows if row[:3] == ["0.1", "regular", "main"])
     mean = sum(float(run["force_cutting_mean"]) for run in runs) / 2 / 1e3
     paper = sum(SIMULATION[0.1, False]["force_cutting"]) / 3
     found = dict(zip(table.header, row, strict=True))
