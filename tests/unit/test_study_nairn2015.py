@@ -9,7 +9,7 @@ from orthocut.plan import load_plan
 
 STUDY = Path(__file__).parents[2] / "workflow" / "config" / "nairn2015.yaml"
 MAP = 66
-MAIN = 877
+MAIN = 891
 
 
 @pytest.fixture(scope="module")

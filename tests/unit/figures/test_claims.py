@@ -57,6 +57,18 @@ def test_base(thick, wanted):
     assert verdict(method.force_does_not_depend_on_base, cuts[:2]) == NOT_TESTED
 
 
+def test_noise_of_base_is_that_of_repeats_with_other_time_steps():
+    forces = {3: (5.0, 5.0, 5.02), 5: (5.01, 4.99, 5.0), 6: (5.2, 5.0, 5.1)}
+    cuts = [
+        cut(base_ratio=base, force=force, courant=courant, error=0.01)
+        for base, some in forces.items()
+        for force, courant in zip(some, (0.5, 0.49, 0.45), strict=True)
+    ]
+    found = method.force_does_not_depend_on_base(cuts)
+    assert found.ours == "changes by 2.0% ± 1.1% from d = 3 to 6"
+    assert found.verdict == REPRODUCED
+
+
 @pytest.mark.parametrize(("slope", "wanted"), [(4.0, REPRODUCED), (0.0, NOT_REPRODUCED), (-4.0, NOT_REPRODUCED)])
 def test_particle_size(slope, wanted):
     cuts = [cut(tangent=100, affine=0, points_per_depth=n, force=3 + slope / n) for n in (5, 8, 12)]
