@@ -168,7 +168,7 @@ def test_a_study_is_bounded_before_it_is_expanded(tmp_path, monkeypatch):
         ),
         (
             "title: t\nsweeps: {a: {base: {kind: dem}, replicates: 1 %}}\nfigures: {}\n",
-            "sweeps.a: replicates = 1 %: takes more than 1000 packings (allowed: 2.4 % or more)",
+            "sweeps.a: replicates = 1 %: takes more than 1000 packings (allowed: 2.1 % or more)",
         ),
         (
             "title: t\nsweeps: {a: {base: {kind: dem}, replicates: many}}\nfigures: {}\n",
