@@ -84,10 +84,12 @@ def main() -> None:
             file.flush()
             table.add_row(*cells)
     Console().print(table)
-    for column in (-2, -1):
-        scale = statistics.median(row[column] for row in rows)
-        near = sum(abs(row[column] / scale - 1) < 0.25 for row in rows)
-        print(f"{HEADER[column]}: median {scale:.2f}; {near} of {len(rows)} within 25 % of it")
+    for solver in ("ductile", "glass"):
+        own = [row for row in rows if row[0].startswith(solver)]
+        for column in (-2, -1) if own else ():
+            scale = statistics.median(row[column] for row in own)
+            near = sum(abs(row[column] / scale - 1) < 0.25 for row in own)
+            print(f"{solver}, {HEADER[column]}: median {scale:.2f}; {near} of {len(own)} within 25 % of it")
 
 
 def measure(name: str, case: Case) -> list:
