@@ -126,10 +126,10 @@ def _grips(case: DemTension | DemToughness) -> Iterator[str]:
 
 def _path(case: MpmCutting) -> Iterator[str]:
     notch, path, length = case.workpiece.notch_ratio, case.workpiece.path_ratio, case.workpiece.length_ratio
-    if not _less(notch, case.travel_ratio):
+    if not _less(notch, length):
         yield (
             f"workpiece.notch_ratio = {notch:g} leaves nothing to cut "
-            f"(allowed: less than travel_ratio = {case.travel_ratio:g})"
+            f"(allowed: less than length_ratio = {length:g})"
         )
     if not _less(path, length):
         yield (
