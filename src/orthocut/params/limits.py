@@ -128,8 +128,7 @@ def _path(case: MpmCutting) -> Iterator[str]:
     notch, path, length = case.workpiece.notch_ratio, case.workpiece.path_ratio, case.workpiece.length_ratio
     if not _less(notch, length):
         yield (
-            f"workpiece.notch_ratio = {notch:g} leaves nothing to cut "
-            f"(allowed: less than length_ratio = {length:g})"
+            f"workpiece.notch_ratio = {notch:g} leaves nothing to cut (allowed: less than length_ratio = {length:g})"
         )
     if not _less(path, length):
         yield (

@@ -34,7 +34,7 @@ def test_the_smallest_and_the_default_case_are_within_limits(kind):
         ("dem_tension", {"radius_min": "20 um", "packing.height": "0.5 mm"},
          r"grip_ratio = 0.05 are grips of 0.025 mm, which may hold no disc \(allowed: 0.054 or more"),
         ("dem_toughness", {"radius_min": "20 um", "grip_ratio": 0.01}, r"grips of .* \(allowed: .* largest radius\)"),
-        ("mpm", {"notch_ratio": 16}, r"notch_ratio = 16 leaves nothing to cut \(allowed: less than length_ratio = 16\)"),
+        ("mpm", {"notch_ratio": 16}, r"notch_ratio = 16 leaves nothing to cut \(.*less than length_ratio = 16\)"),
         ("mpm", {"path_ratio": 16}, r"path_ratio = 16 is no shorter .*\(allowed: 0 for all of it, or less .* 16\)"),
         ("mpm", {"points_per_depth": 60, "strength": "400 MPa", "toughness": "1 J/m^2", "cut_speed": "0.05 m/s",
                  "length_ratio": 200, "travel_ratio": 180, "courant": 0.01}, r"material points for .* steps"),
