@@ -27,7 +27,7 @@ through the chip and the error at which it ends; by 774 cuts of the study nairn2
 _SECONDS_PER_DISC_STEP = {
     "dem_tension": 20e-9,
     "dem_compression": 26e-9,
-    "dem_brazilian": 22e-9,
+    "dem_brazilian": 16e-9,
     "dem_toughness": 22e-9,
     "dem_cutting": 22.5e-9,
 }
