@@ -154,8 +154,12 @@ def collect_garbage(
         with nullcontext() if dry_run else held(root / IN_USE):
             for path in doomed:
                 typer.echo(str(path))
-                if not dry_run:
-                    path.rmdir() if path.is_dir() else path.unlink(missing_ok=True)
+                if dry_run:
+                    continue
+                if path.is_dir():
+                    path.rmdir()
+                else:
+                    path.unlink(missing_ok=True)
     except BlockingIOError as error:
         raise ConfigError(f"--store {root}: {error.strerror} (allowed: when that has ended)") from None
     typer.echo(f"{len(doomed)} files {'would be ' if dry_run else ''}removed", err=True)

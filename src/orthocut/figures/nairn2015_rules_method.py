@@ -43,7 +43,7 @@ def force_does_not_depend_on_base(cuts: Sequence[Cut]) -> Finding | None:
     noise = math.hypot(known(error), known(others[worst][1])) / force
     thin = max((change for base, change in changes.items() if base < DEEP), default=math.nan)
     return Finding(
-        f"changes by {changes[worst]:.1%} ± {noise:.1%} from d = {DEEP:g} to {deepest:g}",
+        f"changes by {changes[worst]:.1%} ± {noise:.1%} from d = {worst:g} to {deepest:g}",
         100 * changes[worst],
         verdict(changes[worst] <= ALIKE) if abs(changes[worst] - ALIKE) > 2 * noise else UNDECIDED,
         f"nairn2015_fig03a; means over {min(map(len, repeats.values()))} time steps; holds up to {ALIKE:.0%}, "

@@ -65,7 +65,7 @@ def test_noise_of_base_is_that_of_repeats_with_other_time_steps():
         for force, courant in zip(some, (0.5, 0.49, 0.45), strict=True)
     ]
     found = method.force_does_not_depend_on_base(cuts)
-    assert found.ours == "changes by 2.0% ± 1.1% from d = 3 to 6"
+    assert found.ours == "changes by 2.0% ± 1.1% from d = 5 to 6"
     assert found.verdict == UNDECIDED
 
 
