@@ -16,7 +16,7 @@ SHELL := bash
 PIP_PROGRESS := '/^Collecting/ && ++n % 20 == 0 {print "  " n " packages found"; fflush()} \
 	/^Installing collected/ {print "  unpacking"; fflush()} /^ *(ERROR|error)/ {print; fflush()}'
 
-.PHONY: help calibrate figures figures-paper publish-paper import publish dry-run report test lint format config clean benchmark benchmark-accuracy benchmark-peers benchmark-stress benchmark-workflow
+.PHONY: help calibrate figures figures-paper publish-paper import publish dry-run report test lint format config clean benchmark benchmark-accuracy benchmark-glass benchmark-peers benchmark-stress benchmark-workflow
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  make %-10s %s\n", $$1, $$2}'
@@ -98,6 +98,7 @@ config: $(STAMP) ## write the default values and the schema of studies from the 
 
 benchmark: $(STAMP) ## measure steps by size and feature, against the machine's peaks, what is skipped, stable steps, set-up
 	@$(BIN)/python benchmarks/scaling.py
+	@$(BIN)/python benchmarks/threads.py
 	@$(BIN)/python benchmarks/roofline.py
 	@$(BIN)/python benchmarks/mpm_features.py
 	@$(BIN)/python benchmarks/dem_features.py
@@ -115,6 +116,10 @@ benchmark-accuracy: $(STAMP) ## compare run times with the cost model, and error
 	@$(BIN)/python benchmarks/cost_model.py
 	@$(BIN)/python benchmarks/cost_store.py
 	@$(BIN)/python benchmarks/accuracy.py
+
+benchmark-glass: $(STAMP) ## cut glass at several speeds of the tool, two hours of two cores; goes on where it ended
+	@$(BIN)/python benchmarks/glass_runs.py
+	@$(BIN)/python benchmarks/glass_speed.py --runs results/benchmarks/glass_runs.csv
 
 benchmark-stress: $(STAMP) ## run 1,024 random scenes of each solver over all ranges and beyond; goes on where it ended
 	@$(BIN)/python benchmarks/stress.py

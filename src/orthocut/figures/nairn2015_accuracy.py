@@ -20,7 +20,8 @@ from orthocut.figures.precision import plain
 from orthocut.figures.sweep import over_toughness, touches
 from orthocut.figures.tables import Table
 from orthocut.io.collect import case_of, parameters
-from orthocut.params.accuracy import Choice, depth_over_zone, evidence, promise
+from orthocut.params.accuracy import evidence
+from orthocut.params.accuracy_ductile import Choice, depth_over_zone, promise
 from orthocut.params.mpm import MpmCutting
 
 CAPTION = (

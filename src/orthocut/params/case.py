@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from orthocut.params import accuracy
+from orthocut.params import wishes
 from orthocut.params.block import Block, ConfigError, describe, hint, shorten, show
 from orthocut.params.dem import DemBrazilian, DemCompression, DemCutting, DemTension
 from orthocut.params.dem_toughness import DemToughness
@@ -22,7 +22,7 @@ KINDS: dict[str, type[Block]] = {
     for model in (MpmCutting, DemCutting, DemTension, DemCompression, DemBrazilian, DemToughness)
 }
 ALIASES = {"mpm": "mpm_cutting", "dem": "dem_cutting"}
-BESIDE = frozenset({"workpiece"})
+BESIDE = frozenset({"workpiece", "joint"})
 """Blocks of which a preset sets some fields and a case may set others."""
 Case = MpmCutting | DemCutting | DemTension | DemCompression | DemBrazilian | DemToughness
 
@@ -50,7 +50,7 @@ def resolve(kind: str, name: str, source: str) -> tuple[str, ...]:
     ConfigError
         If no field or several fields match.
     """
-    if kind == accuracy.KIND and name in accuracy.WISHES:
+    if kind in wishes.KNOWN and name in wishes.WISHES:
         return (name,)
     matches = _matches(kind, name)
     if len(matches) == 1:
@@ -113,10 +113,8 @@ def validate(data: Mapping[str, Any], source: str = "case") -> Case:
     """
     kind = case_kind(data, source)
     _check_names(data, source)
-    wish = accuracy.wishes(data)
-    if wish:
-        rest = {name: value for name, value in data.items() if name not in wish}
-        return validate(_granted(kind, rest, wish, source), source)
+    if wishes.wishes(data):
+        return validate(granted(data, source, packings=1)[0], source)
     try:
         case = KINDS[kind].model_validate(merge(_defaults(kind), {**data, "kind": kind}))
     except ValidationError as error:
@@ -127,18 +125,33 @@ def validate(data: Mapping[str, Any], source: str = "case") -> Case:
     return case
 
 
-def _granted(kind: str, data: Mapping[str, Any], wish: Mapping[str, Any], source: str) -> dict[str, Any]:
-    """Raw data with the fields that a preset or a tolerance stands for."""
+def granted(data: Mapping[str, Any], source: str, packings: int | None = None) -> tuple[dict[str, Any], int]:
+    """Raw data with the fields that a preset or a tolerance stands for, and the number of packings that it takes.
+
+    Parameters
+    ----------
+    data : mapping
+        Raw data; without a preset or a tolerance nothing changes.
+    source : str
+    packings : int, optional
+        Packings over which a mean is taken, if their number is given.
+    """
+    wish = wishes.wishes(data)
+    if not wish:
+        return {**data}, packings or 1
+    kind = case_kind(data, source)
     said = " and ".join(f"{name} = {show(value)}" for name, value in wish.items())
-    if kind != accuracy.KIND:
-        raise ConfigError(f"{source}: {said}: {kind} has none (allowed: in cases of {accuracy.KIND})")
-    chosen = accuracy.choose(validate(data, source), wish, source).fields()
+    if kind not in wishes.KNOWN:
+        raise ConfigError(f"{source}: {said}: {kind} has none (allowed: in cases of {' and '.join(wishes.KNOWN)})")
+    rest = {name: value for name, value in data.items() if name not in wish}
+    choice = wishes.choose(validate(rest, source), wish, source, packings)
+    chosen = choice.fields()
     twice = sorted(
-        name for name in chosen if name in data and not (name in BESIDE and _apart(chosen[name], data[name]))
+        name for name in chosen if name in rest and not (name in BESIDE and _apart(chosen[name], rest[name]))
     )
     if twice:
         raise ConfigError(f"{source}: {said}: also sets {', '.join(twice)} (allowed: leave these out)")
-    return merge(chosen, data)
+    return merge(chosen, rest), packings or choice.packings
 
 
 def _apart(chosen: Mapping[str, Any], given: Any) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from orthocut.params import accuracy
+from orthocut.params import wishes
 from orthocut.params.block import Block
 from orthocut.params.case import KINDS, block_of
 from orthocut.params.quantity import Number, Quantity
@@ -21,8 +21,8 @@ _HEADER = """\
 # All fields of all kinds of cases, with their defaults. Generated from src/orthocut/params; do not edit:
 #     python -m orthocut.params.schema workflow/config
 # A study or a case file gives only what differs; quantities carry units, ratios and coefficients are plain numbers.
-# Ductile cuts may also hold `preset` (PRESETS) or `tolerance` (such as 10 %), which
-# stand for fields of the method: src/orthocut/params/accuracy.yaml says which, and what they promise.
+# Cuts may also hold `preset` (PRESETS) or `tolerance` (such as 20 %), which stand
+# for fields of the method: src/orthocut/params/accuracy.yaml says which, and what they promise.
 """
 _PERCENT = {"type": "string", "pattern": "%"}
 
@@ -36,7 +36,8 @@ def study_schema() -> dict[str, Any]:
         schema["$defs"].update(body.pop("$defs", {}))
         body["required"] = ["kind"]
         schema["$defs"][kind] = body
-    schema["$defs"][accuracy.KIND]["properties"] |= _wishes()
+    for kind, known in wishes.KNOWN.items():
+        schema["$defs"][kind]["properties"] |= _wishes(list(known.presets()))
     _partial(schema["$defs"])
     _defaults(schema["$defs"])
     replicates = schema["$defs"]["Sweep"]["properties"]["replicates"]
@@ -46,11 +47,11 @@ def study_schema() -> dict[str, Any]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
-def _wishes() -> dict[str, Any]:
-    """Schema of what a ductile cut may hold in place of fields."""
+def _wishes(presets: list[str]) -> dict[str, Any]:
+    """Schema of what a cut may hold in place of fields."""
     share = [_PERCENT, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1}]
     return {
-        "preset": {"enum": list(accuracy.presets()), "description": "Numerical settings by name, in place of fields."},
+        "preset": {"enum": presets, "description": "Numerical settings by name, in place of fields."},
         "tolerance": {"anyOf": share, "description": "Error of the force; the cheapest settings that promise it."},
     }
 
@@ -101,7 +102,8 @@ def shown(block: Block) -> dict[str, Any]:
 
 def default_yaml() -> str:
     """Return the defaults of all kinds, with the meaning and the range of every field as comments."""
-    header = _HEADER.replace("PRESETS", ", ".join(accuracy.presets()))
+    names = dict.fromkeys(name for known in wishes.KNOWN.values() for name in known.presets())
+    header = _HEADER.replace("PRESETS", ", ".join(names))
     return header + "".join(f"\n{line}" for kind in KINDS.values() for line in _lines(kind(), "")) + "\n"
 
 

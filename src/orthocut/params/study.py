@@ -10,7 +10,7 @@ from typing import Annotated, Any
 from pydantic import Field, ValidationError, model_validator
 
 from orthocut.params.block import Block, ConfigError, describe, fault, hint, shorten, show
-from orthocut.params.case import KINDS, Case, case_kind, override, resolve, validate
+from orthocut.params.case import KINDS, Case, case_kind, granted, override, resolve, validate
 from orthocut.params.identity import case_id
 from orthocut.params.quantity import Number
 from orthocut.params.replicates import counted
@@ -81,7 +81,8 @@ class Sweep(Block):
     """What varies."""
     replicates: Annotated[int, Number(1, 1000, integer=True)] = 1
     """Random replicates of each point; replicate k of a packing with seed s has seed s + k. Cuts of glass may have a
-    share such as ``10 %`` in its place: as many packings as the mean main force needs to be known to that."""
+    share such as ``10 %`` in its place: as many packings as the mean main force needs to be known to that. With a
+    preset or a tolerance as many as that takes, if not given."""
     snapshots: Annotated[int, Number(2, 200, integer=True)] = 6
     """Snapshots of each run, if a figure draws any; more of them change no other number."""
 
@@ -91,7 +92,7 @@ class Sweep(Block):
         base = data.get("base") if isinstance(data, dict) else None
         if not isinstance(base, dict) or "replicates" not in data:
             return data
-        return {**data, "replicates": counted(data["replicates"], base.get("kind"))}
+        return {**data, "replicates": counted(data["replicates"], base)}
 
     def expand(self, source: str) -> list[tuple[str, Case]]:
         """Return a label and the case of every member, in order.
@@ -105,13 +106,14 @@ class Sweep(Block):
         if self.replicates > 1 and "packing" not in KINDS[kind].model_fields:
             raise ConfigError(f"{source}: replicates = {self.replicates}: {kind} has nothing random (allowed: 1)")
         self.axes.check_names(kind, source)
+        given = self.replicates if "replicates" in self.model_fields_set else None
         members = []
         for point in self.axes.points():
             label = ", ".join(f"{name} {_words(value)}" for name, value in point.items())
-            data = override(self.base, point, source)
+            data, count = granted(override(self.base, point, source), source, given)
             case = validate(data, source)
             members.append((label, case))
-            for k in range(1, self.replicates):
+            for k in range(1, count):
                 seed = case.packing.seed + k
                 twin = validate(override(data, {"packing.seed": seed}, source), source)
                 members.append((", ".join(filter(None, (label, f"seed {seed}"))), twin))
@@ -181,6 +183,9 @@ class Study(Block):
                 words[key] = label
                 cases[name][key] = case
                 labels.setdefault(key, f"{name}: {label}" if label else name)
+        count = sum(map(len, cases.values()))
+        if count > MAX_CASES:
+            raise ConfigError(f"{source}: has {count} cases (allowed: up to {MAX_CASES})")
         return cases, labels
 
     def cases(self, source: str = "study") -> dict[str, dict[str, Case]]:

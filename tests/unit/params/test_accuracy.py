@@ -2,7 +2,7 @@
 
 import pytest
 
-from orthocut.params import accuracy
+from orthocut.params import accuracy_ductile as accuracy
 from orthocut.params.block import ConfigError
 from orthocut.params.case import load, validate
 from orthocut.params.identity import case_id
@@ -63,7 +63,7 @@ def test_errors_of_deep_cuts_are_larger():
         ("mpm", {"preset": "quick", "points_per_depth": 9}, "also sets numerics .allowed: leave these out"),
         ("mpm", {"preset": "quick", "cut_speed": "5 m/s"}, "also sets cut_speed"),
         ("mpm", {"preset": "quick", "workpiece": {"length_ratio": 30}}, "also sets workpiece"),
-        ("dem", {"preset": "quick"}, "dem_cutting has no such field"),
+        ("dem_tension", {"preset": "quick"}, "dem_tension has no such field"),
     ],
 )
 def test_what_is_refused(kind, values, words):
@@ -71,9 +71,9 @@ def test_what_is_refused(kind, values, words):
         load(kind, values)
 
 
-def test_a_case_of_glass_has_no_preset():
-    with pytest.raises(ConfigError, match="dem_cutting has none"):
-        validate({"kind": "dem", "preset": "quick"})
+def test_a_test_of_glass_has_no_preset():
+    with pytest.raises(ConfigError, match=r"dem_tension has none \(allowed: in cases of mpm_cutting and dem_cutting"):
+        validate({"kind": "dem_tension", "preset": "quick"})
 
 
 def test_a_sweep_over_presets():

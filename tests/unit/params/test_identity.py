@@ -25,6 +25,7 @@ FILES = {
     "params/study.py": "",
     "params/accuracy.py": "",
     "params/accuracy.yaml": "",
+    "params/accuracy_ductile.py": "",
     "params/size.py": "",
     "cost.py": "",
     "figures/show.py": "",

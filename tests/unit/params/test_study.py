@@ -45,10 +45,14 @@ def test_zip_and_list_multiply():
 
 
 def test_replicates_by_what_the_mean_is_known_to():
-    counts = [len(members(base={"kind": "dem"}, replicates=share)) for share in ("50 %", "20 %", "10%")]
-    assert counts == [packings(0.5), packings(0.2), packings(0.1)]
+    base = {"kind": "dem", "cut_speed": "1 m/s"}
+    counts = [len(members(base=base, replicates=share)) for share in ("50 %", "20 %", "10%")]
+    assert counts == [packings(0.5, 1.0), packings(0.2, 1.0), packings(0.1, 1.0)]
     assert counts == sorted(counts)
-    assert packings(0.1) == pytest.approx((1.96 * evidence()["glass"]["scatter"] / 0.1) ** 2, rel=0.1)
+    assert packings(0.1, 1.0) == pytest.approx((1.96 * 0.33 / 0.1) ** 2, rel=0.1)
+    most = max(row["scatter"] for row in evidence()["glass"]["speed"])
+    assert packings(0.1, 0.1) == packings(0.1) == pytest.approx((1.96 * most / 0.1) ** 2, rel=0.1)
+    assert len(members(base={"kind": "dem"}, replicates="50 %")) == packings(0.5)
 
 
 def test_replicates_change_the_seed_alone():
@@ -168,7 +172,7 @@ def test_a_study_is_bounded_before_it_is_expanded(tmp_path, monkeypatch):
         ),
         (
             "title: t\nsweeps: {a: {base: {kind: dem}, replicates: 1 %}}\nfigures: {}\n",
-            "sweeps.a: replicates = 1 %: takes more than 1000 packings (allowed: 2.1 % or more)",
+            "sweeps.a: replicates = 1 %: takes more than 1000 packings (allowed: 3 % or more)",
         ),
         (
             "title: t\nsweeps: {a: {base: {kind: dem}, replicates: many}}\nfigures: {}\n",
