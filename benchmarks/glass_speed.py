@@ -160,7 +160,8 @@ def draw(found: list[Cut]) -> Figure:
         for cut, colour, marker in zip(first, COLOURS, MARKERS, strict=True)
     ]
     handles += [
-        Line2D([], [], color=BLACK, ls=dash, label=label) for dash, label in (("-", "bound"), ("--", "typical"))
+        Line2D([], [], color=BLACK, ls=dash, label=label)
+        for dash, label in (("-", "left open for 9 of 10 cuts"), ("--", "for every other one"))
     ]
     figure.legend(handles=handles, loc="outside upper center", ncols=3)
     return figure

@@ -30,7 +30,7 @@ sched_yield.argtypes, sched_yield.restype = [], ctypes.c_int
 LINE = 64
 """Numbers in a count of which only the first is used: the counts of two threads share no line of the cache."""
 
-HEADER = ["bonds in both halves", "step of both, one thread [us]", "two threads [us]", "ratio [-]"]
+HEADER = ["bonds in both halves", "step of both, one thread [ms]", "two threads [ms]", "ratio [-]"]
 SIZES = ((0.25, 1), (0.5, 1), (1.0, 1), (1.0, 2), (1.0, 4), (1.0, 8))
 """Share of the width of the paper's block, and blocks along either side of a square."""
 BLOCK_GAP = 1.2
@@ -88,7 +88,7 @@ def measure(width: float, blocks: int) -> list:
         for way, found in times.items():
             start = time.perf_counter()
             way(*halves, steps)
-            found.append(1e6 * (time.perf_counter() - start) / steps)
+            found.append(1e3 * (time.perf_counter() - start) / steps)
     single, double = (statistics.median(found) for found in times.values())
     return [bonds, single, double, single / double]
 

@@ -15,7 +15,7 @@ rule validate:
         "{params.python:q} -m pytest tests/validation --junitxml {output:q} > {log:q} 2>&1"
 
 
-BENCHMARKS = ("scaling", "roofline", "mpm_features", "dem_features", "skips", "stable_step", "setup_cost")
+BENCHMARKS = ("scaling", "threads", "roofline", "mpm_features", "dem_features", "skips", "stable_step", "setup_cost")
 
 
 rule benchmark:
