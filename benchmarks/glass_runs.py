@@ -6,7 +6,6 @@ import argparse
 import csv
 import os
 import time
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -38,23 +37,23 @@ def main() -> None:
     options.output.parent.mkdir(parents=True, exist_ok=True)
     rows = read_rows(options.output)
     waiting = [run for run in wanted() if run not in rows]
-    with ProcessPoolExecutor(options.workers, get_context("spawn")) as pool:
-        jobs = {pool.submit(cut, run): run for run in waiting}
-        for job in track(as_completed(jobs), "cutting", len(jobs), console=Console(stderr=True)):
-            rows[jobs[job]] = job.result()
+    with get_context("spawn").Pool(options.workers) as pool:
+        done = pool.imap_unordered(cut, waiting)
+        for run, row in track(done, "cutting", len(waiting), console=Console(stderr=True)):
+            rows[run] = row
             write_rows(rows, options.output)
 
 
-def cut(run: GlassCut) -> list[str]:
-    """Row of a run."""
+def cut(run: GlassCut) -> tuple[GlassCut, list[str]]:
+    """Run, and its row."""
     start = time.process_time()
     try:
         result = run_case(run.case(), snapshots=0)
     except CaseFailed as why:
-        return [*map(str, run), "", "", "", f"{time.process_time() - start:.1f}", str(why)]
+        return run, [*map(str, run), "", "", "", f"{time.process_time() - start:.1f}", str(why)]
     forces = [1e-3 * float(result[name]) for name in ("force_cutting_mean", "force_thrust_mean")]
     numbers = [f"{value:.6g}" for value in (*forces, 100 * float(result.energy_closure))]
-    return [*map(str, run), *numbers, f"{time.process_time() - start:.1f}", ""]
+    return run, [*map(str, run), *numbers, f"{time.process_time() - start:.1f}", ""]
 
 
 def read_rows(file: Path) -> dict[GlassCut, list[str]]:
