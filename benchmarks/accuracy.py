@@ -45,14 +45,8 @@ HEADER = [
     "force over toughness [-]",
 ]
 HEADER += ["reference [-]", "its standard error [-]", "regime at 8, 12, 16 points", "promised of 9 of 10 [%]"]
-HEADER += [
-    "of every other one [%]",
-    "error [%]",
-    "standard error [%]",
-    "kept",
-    "predicted run time [s]",
-    "CPU time [s]",
-]
+HEADER += ["of every other one [%]", "error [%]", "standard error [%]", "kept"]
+HEADER += ["predicted run time [s]", "CPU time [s]"]
 
 
 def main() -> None:

@@ -13,6 +13,7 @@ from glass_cuts import GlassCut, wanted
 from rich.console import Console
 from rich.progress import track
 
+from orthocut.io.files import replacing
 from orthocut.params.block import CaseFailed
 from orthocut.run import run_case
 
@@ -66,12 +67,10 @@ def read_rows(file: Path) -> dict[GlassCut, list[str]]:
 
 def write_rows(rows: dict[GlassCut, list[str]], file: Path) -> None:
     """Write the table under another name, then rename it."""
-    part = file.with_name(f".{file.name}.part")
-    with open(part, "w", newline="", encoding="utf-8") as stream:
+    with replacing(file) as part, open(part, "w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(HEADER)
         writer.writerows(rows[run] for run in sorted(rows))
-    os.replace(part, file)
 
 
 if __name__ == "__main__":

@@ -31,6 +31,8 @@ from orthocut.params.quantity import convert
 
 PUBLISHED = Path(__file__).parents[1] / "results" / "published"
 RUNS = PUBLISHED / "benchmarks" / "glass_runs.csv"
+TOLD = 3
+"""Fewest packings whose interval is drawn: that of two would fill the picture."""
 SLOW = 0.2
 """Speed up to which a cut counts as slow [m/s]: slower ones differ from it by less than they scatter."""
 HEADER = ["cut", "force", "tool [m/s]", "packings", "mean [N/mm]", "95 % half-width [N/mm]"]
@@ -141,6 +143,7 @@ def draw(found: list[Cut]) -> Figure:
                 values, halves = 100 * np.array([cut.added(speed) for speed in means]).T
             else:
                 values, halves = np.array([(mean.mean, mean.half) for mean in means.values()]).T
+                halves[np.array([mean.count for mean in means.values()]) < TOLD] = np.nan
             ax.errorbar(list(means), values, halves, elinewidth=0.6, **style)
         ax.set_xlabel("speed of the tool [m/s]")
         ax.set_title(f"{NAMES[name]} force", loc="left")
@@ -153,7 +156,7 @@ def draw(found: list[Cut]) -> Figure:
     for name, dash in (("bound", "-"), ("typical", "--")):
         steps = [100 * row[name] for row in rows]
         panels[2].stairs(steps, edges, baseline=None, color=BLACK, ls=dash, lw=0.8)
-    panels[2].set_ylabel("added to the main force of slow cuts [%]")
+    panels[2].set_ylabel("added to that of slow cuts [%]")
     first = [cut for cut in found if cut.force == FORCES[0]]
     handles = [
         Line2D([], [], color=colour, marker=marker, mfc="white" if cut.is_new else colour, ls="", label=cut.name)

@@ -16,7 +16,6 @@ import statistics
 import time
 from pathlib import Path
 
-import numpy as np
 from rich.console import Console
 from rich.progress import track
 
@@ -33,8 +32,6 @@ MOST = 46
 STEPS = 20_000_000
 """Particles times steps of a repeat."""
 REPEATS = 3
-BLOCK_GAP = 1.2
-"""Distance of the corners of neighbouring blocks over their side."""
 
 
 def measure(method: str, size: int) -> tuple[int, int, float, float]:
@@ -53,25 +50,19 @@ def _points(size: int, reach_ratio: float) -> tuple[int, int, float]:
 
 
 def _discs(blocks: int) -> tuple[int, int, float]:
-    from orthocut.dem.packing import pack
-    from orthocut.dem.setup import build
-    from orthocut.experiments.dem_run import proceed
-    from orthocut.params.dem import DemCutting, FlatJoint
+    from glass_blocks import glass_blocks
 
-    packing = DemCutting().packing
-    packed = pack(packing)
-    shifts = BLOCK_GAP * packing.width * np.mgrid[:blocks, :blocks].reshape(2, -1)
-    x, y = ((one[:, None] + own).ravel() for one, own in zip(shifts, (packed.x, packed.y), strict=True))
-    scene = build(x, y, np.tile(packed.radius, blocks**2), FlatJoint())
-    scene.speeds[:, 0] = 1e-2 * (x / packing.width - 0.5)
-    steps = max(20, STEPS // (10 * len(x)))
+    from orthocut.experiments.dem_run import proceed
+
+    scene = glass_blocks(blocks)
+    steps = max(20, STEPS // (10 * len(scene.radius)))
     proceed(scene, steps)
     bonds, costs = len(scene.joints.first), []
     for _ in range(REPEATS):
         start = time.thread_time()
         proceed(scene, steps)
         costs.append(1e9 * (time.thread_time() - start) / steps / bonds)
-    return len(x), bonds, statistics.median(costs)
+    return len(scene.radius), bonds, statistics.median(costs)
 
 
 def main() -> None:

@@ -15,15 +15,12 @@ from pathlib import Path
 
 import numba
 import numpy as np
+from glass_blocks import glass_blocks
 from rich.console import Console
 from rich.progress import track
 from tables import write_table
 
-from orthocut.dem.packing import pack
-from orthocut.dem.setup import build
 from orthocut.dem.solver import step_once
-from orthocut.dem.state import Scene
-from orthocut.params.dem import DemCutting, FlatJoint
 
 sched_yield = ctypes.CDLL(None).sched_yield
 sched_yield.argtypes, sched_yield.restype = [], ctypes.c_int
@@ -33,8 +30,6 @@ LINE = 64
 HEADER = ["bonds in both halves", "step of both, one thread [ms]", "two threads [ms]", "ratio [-]"]
 SIZES = ((0.25, 1), (0.5, 1), (1.0, 1), (1.0, 2), (1.0, 4), (1.0, 8))
 """Share of the width of the paper's block, and blocks along either side of a square."""
-BLOCK_GAP = 1.2
-"""Distance of the corners of neighbouring blocks over their side."""
 REPEATS = 5
 BONDS = 20_000_000
 """Bonds times steps of a repeat."""
@@ -78,7 +73,7 @@ def main() -> None:
 
 def measure(width: float, blocks: int) -> list:
     """Row of a size."""
-    halves = scene(width, blocks), scene(width, blocks)
+    halves = glass_blocks(blocks, width), glass_blocks(blocks, width)
     bonds = sum(len(half.joints.first) for half in halves)
     steps = max(20, BONDS // bonds)
     times = {way: [] for way in (in_turn, at_once)}
@@ -91,18 +86,6 @@ def measure(width: float, blocks: int) -> list:
             found.append(1e3 * (time.perf_counter() - start) / steps)
     single, double = (statistics.median(found) for found in times.values())
     return [bonds, single, double, single / double]
-
-
-def scene(width: float, blocks: int) -> Scene:
-    """Blocks of glass side by side, pulled apart slowly; one is packed, the others are its copies."""
-    packing = DemCutting().packing
-    packing = packing.model_copy(update={"width": width * packing.width})
-    packed = pack(packing)
-    shifts = BLOCK_GAP * packing.height * np.mgrid[:blocks, :blocks].reshape(2, -1)
-    x, y = ((one[:, None] + own).ravel() for one, own in zip(shifts, (packed.x, packed.y), strict=True))
-    found = build(x, y, np.tile(packed.radius, blocks**2), FlatJoint())
-    found.speeds[:, 0] = 1e-2 * (x / packing.width - 0.5)
-    return found
 
 
 if __name__ == "__main__":

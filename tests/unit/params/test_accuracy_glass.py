@@ -100,3 +100,11 @@ def test_a_sweep_that_asks_for_too_much_is_told_what_there_is():
         ConfigError, match=r"the mean of 3 packings is not known to be as good \(allowed: [0-9]+ % or more\)"
     ):
         members({"tolerance": "5 %"}, replicates=3)
+
+
+def test_packings_that_a_tolerance_takes_count_as_cases(monkeypatch):
+    monkeypatch.setattr("orthocut.params.study.MAX_CASES", 5)
+    sweep = {"base": {**GLASS, "tolerance": "50 %"}}
+    study = Study.model_validate({"title": "t", "sweeps": {"a": sweep}, "figures": {"energy_balance": ["a"]}})
+    with pytest.raises(ConfigError, match=r"has 10 cases \(allowed: up to 5\)"):
+        study.expand()
